@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+
+#include "options.h"
+#include "plan/frame_request.h"
+#include "scene/scene.h"
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+/// What the options ask for, with the scene's own defaults where they are silent. Throws UsageError for a camera that
+/// the scene does not have.
+FrameRequest requestFor(const Options& options, const Scene& scene);
+
+/// The technique that the options name, with their settings.
+std::unique_ptr<Technique> techniqueFor(const Options& options, gl::ProgramCache& programs);
+
+} // namespace timeshade

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "headless.h"
+#include "scene_catalogue.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+
+namespace {
+
+nlohmann::ordered_json asJson(const Setting& setting) {
+    nlohmann::ordered_json json{{"key", setting.key}};
+    if (setting.isSwitch()) {
+        json["default"] = setting.defaultValue != 0.0;
+    } else {
+        json["default"] = setting.defaultValue;
+        json["minimum"] = setting.minimum;
+        json["maximum"] = setting.maximum;
+        json["unit"] = setting.unit;
+    }
+    json["help"] = setting.help;
+    return json;
+}
+
+void listAsJson() {
+    nlohmann::ordered_json json;
+    for (const BuiltInScene& scene : builtInScenes()) json["scenes"].push_back({{"name", scene.name}, {"summary", scene.summary}});
+    gl::ProgramCache programs;
+    for (const TechniqueDescription& description : techniqueDescriptions()) {
+        nlohmann::ordered_json technique{{"name", description.name},
+                                         {"title", description.title},
+                                         {"summary", description.summary},
+                                         {"source", description.source},
+                                         {"settings", nlohmann::ordered_json::array()}};
+        for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs))) technique["settings"].push_back(asJson(setting));
+        json["techniques"].push_back(technique);
+    }
+    fmt::print("{}\n", json.dump(2));
+}
+
+void listAsText() {
+    fmt::print("scenes (or a path to a .gltf or .glb file)\n");
+    for (const BuiltInScene& scene : builtInScenes()) fmt::print("  {:<13} {}\n", scene.name, scene.summary);
+    fmt::print("\ntechniques, and their settings for --set\n");
+    gl::ProgramCache programs;
+    for (const TechniqueDescription& description : techniqueDescriptions()) {
+        fmt::print("  {:<13} {}\n  {:<13} ({})\n", description.name, description.summary, "", description.source);
+        for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs))) {
+            const std::string range = setting.isSwitch() ? fmt::format("{} (on or off)", setting.defaultValue != 0.0 ? "on" : "off")
+                                                         : fmt::format("{:g} ({:g} to {:g}, {})", setting.defaultValue, setting.minimum,
+                                                                       setting.maximum, setting.unit);
+            fmt::print("    {}.{} = {}\n        {}\n", description.name, setting.key, range, setting.help);
+        }
+    }
+}
+
+void listDeviceNames(bool json) {
+    const std::vector<DeviceDescription> devices = listDevices();
+    if (json) {
+        nlohmann::ordered_json array = nlohmann::ordered_json::array();
+        for (const DeviceDescription& device : devices) array.push_back({{"index", device.index}, {"name", device.name}});
+        fmt::print("{}\n", array.dump(2));
+        return;
+    }
+    if (devices.empty()) fmt::print("no EGL devices\n");
+    for (const DeviceDescription& device : devices) fmt::print("{:>3}  {}\n", device.index, device.name);
+}
+
+} // namespace
+
+int runList(const Options& options) {
+    if (options.listDevices)
+        listDeviceNames(options.listAsJson);
+    else if (options.listAsJson)
+        listAsJson();
+    else
+        listAsText();
+    return 0;
+}
+
+} // namespace timeshade

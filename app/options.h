@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contexts/gl_context.h"
+#include "passes/shade_pass.h"
+#include "plan/frame_request.h"
+
+namespace timeshade {
+
+enum class Command { View, Shot, Pictures, List };
+
+/// What the command line (and a settings file) asks for, checked as far as that is possible without a scene or OpenGL.
+struct Options {
+    Command command = Command::View;
+    std::string scene = "chess";
+    std::string output;
+    std::string technique = "tsm";
+    std::vector<std::pair<std::string, std::string>> settings;  ///< "tsm.bias", "0.5"
+    std::string camera;  ///< name of one of the scene's cameras; empty for the first
+    std::string clip;    ///< name of one of the file's animations; empty for the first
+    View view = View::Final;
+    ContextOptions context;
+
+    int width = 640, height = 480;
+    int samplesPerPixel = 8;
+    int mapSize = 1024;
+    unsigned seed = 1;
+    std::optional<double> frame;            ///< the scene's own where not given
+    std::optional<double> seconds;          ///< instead of a frame number
+    std::optional<double> framesPerSecond;  ///< the scene's own where not given
+    std::optional<double> shutterLength;    ///< frames; the scene's own where not given
+    ShutterPosition shutterPosition = ShutterPosition::Start;
+    int frames = 1;
+
+    bool explain = false;
+    std::string json;   ///< path for a machine-readable report
+    bool listDevices = false;
+    bool listAsJson = false;
+    bool debugGl = false;
+    bool windowVisible = true;
+};
+
+/// Reads the command line. Prints help or the version and exits with 0 where asked; throws UsageError otherwise.
+Options parseCommandLine(int argumentCount, char** arguments);
+
+} // namespace timeshade

@@ -1,0 +1,67 @@
+#include "report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace timeshade {
+
+std::string deviceLine(const gl::DeviceInfo& device) {
+    return fmt::format("{}{} ({})", device.software ? "SOFTWARE RENDERER: " : "", device.renderer, device.version);
+}
+
+std::string inMebibytes(std::size_t bytes) { return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024.0 * 1024.0)); }
+
+std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device) {
+    std::string text = fmt::format("device    {}\n", deviceLine(device));
+    text += fmt::format("technique {}\n", technique.description().title);
+    text += fmt::format("shutter   frame {:g}, open {:g} frames at {:g} frames per second\n", plan.request.frame,
+                        plan.request.shutter.length, plan.request.shutter.framesPerSecond);
+    const auto line = [&](const PassDecision& pass) {
+        const std::string count = pass.triangles > 0 ? fmt::format("{} of {} triangles: ", pass.triangles, plan.motion.triangles) : "";
+        text += fmt::format("{:<9} {}{}\n", pass.name, count, pass.reason);
+    };
+    for (const PassDecision& pass : plan.passes) line(pass);
+    for (const PassDecision& pass : technique.passes(plan)) line(pass);
+    if (const auto reason = technique.unsupported(plan)) text += fmt::format("CANNOT    {}\n", *reason);
+    for (const std::string& warning : plan.warnings) text += fmt::format("beware    {}\n", warning);
+    return text;
+}
+
+std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& scene, const std::string& backEnd,
+                     const std::vector<gl::PassTimer::Reading>& times) {
+    const FrameRequest& request = renderer.plan().request;
+    nlohmann::ordered_json json;
+    json["timeshade"] = TIMESHADE_VERSION;
+    json["scene"] = scene;
+    json["technique"] = technique.description().name;
+    for (const Setting& setting : settingsOf(technique)) {
+        if (setting.isSwitch())
+            json["settings"][setting.key] = setting.get() != 0.0;
+        else
+            json["settings"][setting.key] = setting.get();
+    }
+    json["spp"] = request.samplesPerPixel;
+    json["size"] = {request.width, request.height};
+    json["map"] = request.mapSize;
+    json["seed"] = request.seed;
+    json["frame"] = request.frame;
+    json["fps"] = request.shutter.framesPerSecond;
+    json["shutter"] = request.shutter.length;
+    json["gl"] = {{"back_end", backEnd},
+                  {"vendor", renderer.device().vendor},
+                  {"renderer", renderer.device().renderer},
+                  {"version", renderer.device().version},
+                  {"software", renderer.device().software}};
+    double total = 0.0;
+    for (const auto& reading : times) {
+        json["milliseconds"][reading.name] = reading.milliseconds;
+        total += reading.milliseconds;
+    }
+    json["milliseconds"]["total"] = total;
+    const GpuMemory memory = renderer.memory();
+    json["bytes"] = {{"mesh", memory.mesh},           {"samples", memory.samples}, {"visibility", memory.visibility},
+                     {"technique", memory.technique}, {"picture", memory.picture}, {"total", memory.total()}};
+    return json.dump(2) + "\n";
+}
+
+} // namespace timeshade

@@ -1,0 +1,131 @@
+#include <cstdio>
+#include <filesystem>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "frame/frame_renderer.h"
+#include "frame_setup.h"
+#include "gl/debug_log.h"
+#include "headless.h"
+#include "make_context.h"
+#include "report.h"
+#include "scene/error.h"
+#include "scene_catalogue.h"
+
+namespace timeshade {
+
+namespace {
+
+/// Progress of brute force on a terminal, one line that is written over.
+class Progress {
+  public:
+    explicit Progress(int renders) : shown_(renders > 1 && isatty(STDERR_FILENO) == 1), renders_(renders) {}
+    void update(int done) const {
+        if (shown_ && done % 8 == 0) fmt::print(stderr, "\rtimeshade: render {} of {} ", done, renders_);
+    }
+    ~Progress() {
+        if (shown_) fmt::print(stderr, "\r{:40}\r", "");
+    }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+  private:
+    bool shown_;
+    int renders_;
+};
+
+std::filesystem::path pathOfFrame(const std::string& output, int index, int count) {
+    if (count == 1) return output;
+    std::filesystem::path path(output);
+    return path.parent_path() / fmt::format("{}.{:04}{}", path.stem().string(), index, path.extension().string());
+}
+
+void write(FrameRenderer& renderer, const std::filesystem::path& path) {
+    if (path.extension() == ".exr")
+        writeExr(path, renderer.readRadiance());
+    else
+        writePng(path, renderer.readPicture());
+}
+
+void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& technique, View view) {
+    renderer.begin(std::move(plan), technique, view);
+    const Progress progress(renderer.renders());
+    while (!renderer.step()) progress.update(renderer.rendersDone());
+}
+
+void requireSilence(const std::optional<gl::DebugLog>& log) {
+    if (log && !log->messages().empty())
+        throw Error(fmt::format("the driver complained {} times, first: {}", log->messages().size(), log->messages().front()));
+}
+
+double total(const std::vector<gl::PassTimer::Reading>& times) {
+    double sum = 0.0;
+    for (const auto& reading : times) sum += reading.milliseconds;
+    return sum;
+}
+
+} // namespace
+
+int runShot(const Options& options) {
+    for (int i = 0; i < options.frames; ++i) requireWritable(pathOfFrame(options.output, i, options.frames));
+    if (!options.json.empty()) requireWritable(options.json);
+    const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip);
+    FrameRequest request = requestFor(options, *scene);
+    for (const std::string& note : scene->notes()) fmt::print(stderr, "timeshade: note: {}\n", note);
+
+    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
+    std::optional<gl::DebugLog> log;
+    if (options.debugGl) log.emplace();
+    FrameRenderer renderer;
+    const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
+    FramePlanner planner(*scene);
+    for (int i = 0; i < options.frames; ++i, request.frame += 1.0) {
+        FramePlan plan = planner.plan(request);
+        if (options.explain && i == 0) fmt::print("{}", explain(plan, *technique, renderer.device()));
+        drawWithProgress(renderer, std::move(plan), *technique, options.view);
+        const std::filesystem::path path = pathOfFrame(options.output, i, options.frames);
+        const auto times = renderer.timer().finishFrame();
+        requireSilence(log);
+        write(renderer, path);
+        fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), total(times),
+                   deviceLine(renderer.device()));
+        if (!options.json.empty() && i + 1 == options.frames) {
+            const std::string text = manifest(renderer, *technique, options.scene, context->backEnd(), times);
+            writeFileAtomically(options.json, text);
+        }
+    }
+    return 0;
+}
+
+int runPictures(const Options& options) {
+    const std::filesystem::path folder(options.output);
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw Error(fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
+    FrameRenderer renderer;
+    fmt::print("{} through {}\n{} at {} x {}, {} samples per pixel, map {}\n\n", deviceLine(renderer.device()), context->backEnd(),
+               options.technique, options.width, options.height, options.samplesPerPixel, options.mapSize);
+    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "scene", "sample", "build", "lookup", "shade", "total ms", "picture");
+    for (const BuiltInScene& builtIn : builtInScenes()) {
+        const std::filesystem::path path = folder / (builtIn.name + ".png");
+        requireWritable(path);
+        const std::unique_ptr<Scene> scene = openScene(builtIn.name, "");
+        const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
+        FramePlanner planner(*scene);
+        const FramePlan plan = planner.plan(requestFor(options, *scene));
+        // The first draw compiles shaders and fills caches; the second is timed.
+        if (technique->renders() == 1) renderer.draw(plan, *technique, options.view);
+        renderer.timer().finishFrame();
+        drawWithProgress(renderer, plan, *technique, options.view);
+        const auto times = renderer.timer().finishFrame();
+        writePng(path, renderer.readPicture());
+        fmt::print("{:<9}", builtIn.name);
+        for (const auto& reading : times) fmt::print(" {:>9.1f}", reading.milliseconds);
+        fmt::print(" {:>9.1f}  {}\n", total(times), std::filesystem::absolute(path).lexically_normal().string());
+    }
+    return 0;
+}
+
+} // namespace timeshade

@@ -1,0 +1,1 @@
+"""The generator of Timeshade's three scenes: plain Python, standard library only."""

@@ -1,0 +1,14 @@
+# Our own targets are compiled with these; third-party headers come in as SYSTEM.
+add_library(timeshade_options INTERFACE)
+target_compile_options(timeshade_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wdouble-promotion -Werror
+  # The shared numerics must give the same bits in C++ as in GLSL: no contraction of a*b+c into one rounding.
+  -ffp-contract=off)
+target_compile_definitions(timeshade_options INTERFACE
+  GLM_FORCE_SILENT_WARNINGS GLM_FORCE_XYZW_ONLY
+  TIMESHADE_SOURCE_DIRECTORY="${PROJECT_SOURCE_DIR}" TIMESHADE_VERSION="${PROJECT_VERSION}")
+target_include_directories(timeshade_options INTERFACE ${PROJECT_SOURCE_DIR}/renderer ${PROJECT_SOURCE_DIR}/shaders)
+if(TIMESHADE_SANITIZE)
+  target_compile_options(timeshade_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(timeshade_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,144 @@
+#include "frame/frame_renderer.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+
+namespace timeshade {
+
+namespace {
+
+/// OpenGL's rows go upwards, a picture's downwards.
+template <typename T, typename Source>
+void copyRowsUpsideDown(const std::vector<Source>& rgba, int width, int height, std::vector<T>& rgb, Source factor) {
+    rgb.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    auto* out = rgb.data();
+    for (int y = height - 1; y >= 0; --y) {
+        const Source* in = rgba.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4;
+        for (int x = 0; x < width; ++x, in += 4)
+            for (int c = 0; c < 3; ++c) *out++ = static_cast<T>(in[c] * factor);
+    }
+}
+
+template <typename T>
+std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type) {
+    std::vector<T> values(texture.bytes() / sizeof(T));
+    glGetTextureImage(texture.name(), 0, format, type, static_cast<GLsizei>(texture.bytes()), values.data());
+    return values;
+}
+
+} // namespace
+
+FrameRenderer::FrameRenderer()
+    : device_(gl::currentDevice()),
+      timer_(device_.software ? gl::PassTimer::Clock::Finish : gl::PassTimer::Clock::Timestamps),
+      samplePass_(programs_),
+      shadePass_(programs_),
+      displayPass_(programs_) {}
+
+void FrameRenderer::resize(int width, int height, int strata) {
+    GLint largest = 0, deepest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &deepest);
+    if (width > largest || height > largest || strata > deepest)
+        throw Error(fmt::format("a picture of {} x {} with {} samples a pixel is more than this device takes ({} x {}, {})", width,
+                                height, strata, largest, largest, deepest));
+    const auto fits = [&](const gl::Texture& t, int layers) { return t.width() == width && t.height() == height && t.layers() == layers; };
+    if (!samples_ || !fits(samples_->ids(), strata)) {
+        samples_.emplace(width, height, strata);
+        visibility_.emplace(width, height, strata);
+    }
+    if (!radiance_ || !fits(*radiance_, 1)) {
+        radiance_ = gl::Texture::image2D("radiance", GL_RGBA32F, width, height);
+        picture_ = gl::Texture::image2D("picture", GL_RGBA8, width, height);
+    }
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw Error(fmt::format("not enough GPU memory for a picture of {} x {} with {} samples a pixel", width, height, strata));
+}
+
+void FrameRenderer::begin(FramePlan plan, Technique& technique, View view) {
+    if (const std::optional<std::string> reason = technique.unsupported(plan))
+        throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
+    plan_ = std::move(plan);
+    technique_ = &technique;
+    view_ = view;
+    renders_ = technique.renders();
+    done_ = 0;
+    resize(plan_->request.width, plan_->request.height, renders_ > 1 ? 1 : plan_->request.samplesPerPixel);
+    mesh_.update(*plan_);
+    const std::array<GLfloat, 4> black{};
+    glClearTexImage(radiance_->name(), 0, GL_RGBA, GL_FLOAT, black.data());
+}
+
+bool FrameRenderer::step() {
+    if (complete()) return true;
+    const FramePlan render = renders_ > 1 ? planAtInstant(*plan_, done_, renders_) : *plan_;
+    uniforms_.set(render);
+    mesh_.bind();
+    const TechniqueFrame frame{render, mesh_, *samples_, *visibility_, fullscreen_};
+    {
+        const auto timed = timer_.scope("sample");
+        samplePass_.draw(render, mesh_, *samples_);
+    }
+    {
+        const auto timed = timer_.scope("build");
+        technique_->build(frame);
+    }
+    {
+        const auto timed = timer_.scope("lookup");
+        technique_->lookup(frame);
+    }
+    {
+        const auto timed = timer_.scope("shade");
+        shadePass_.draw(render, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
+    }
+    ++done_;
+    return complete();
+}
+
+void FrameRenderer::draw(FramePlan plan, Technique& technique, View view) {
+    begin(std::move(plan), technique, view);
+    while (!step()) {}
+}
+
+const gl::Texture& FrameRenderer::displayTexture() {
+    const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
+    displayPass_.draw(fullscreen_, *radiance_, scale, view_ == View::Final, *picture_);
+    return *picture_;
+}
+
+DisplayImage FrameRenderer::readPicture() {
+    const std::vector<std::uint8_t> rgba = readArray<std::uint8_t>(displayTexture(), GL_RGBA, GL_UNSIGNED_BYTE);
+    DisplayImage image{picture_->width(), picture_->height(), {}};
+    copyRowsUpsideDown<std::uint8_t, std::uint8_t>(rgba, image.width, image.height, image.rgb, 1);
+    return image;
+}
+
+LinearImage FrameRenderer::readRadiance() {
+    const std::vector<float> rgba = readArray<float>(*radiance_, GL_RGBA, GL_FLOAT);
+    LinearImage image{radiance_->width(), radiance_->height(), {}};
+    const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
+    copyRowsUpsideDown<float, float>(rgba, image.width, image.height, image.rgb, scale);
+    return image;
+}
+
+std::vector<float> FrameRenderer::readVisibility() const { return readArray<float>(visibility_->lit(), GL_RED, GL_FLOAT); }
+
+std::vector<std::uint32_t> FrameRenderer::readSampleIds() const {
+    return readArray<std::uint32_t>(samples_->ids(), GL_RED_INTEGER, GL_UNSIGNED_INT);
+}
+
+GpuMemory FrameRenderer::memory() const {
+    GpuMemory memory;
+    memory.mesh = mesh_.bytes();
+    memory.samples = samplePass_.bytes() + (samples_ ? samples_->bytes() : 0);
+    memory.visibility = visibility_ ? visibility_->bytes() : 0;
+    memory.technique = technique_ ? technique_->bytes() : 0;
+    memory.picture = (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0);
+    return memory;
+}
+
+} // namespace timeshade

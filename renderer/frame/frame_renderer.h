@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/device_info.h"
+#include "gl/pass_timer.h"
+#include "image/image_file.h"
+#include "passes/display_pass.h"
+#include "passes/frame_uniforms.h"
+#include "passes/sample_pass.h"
+#include "passes/shade_pass.h"
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+/// Bytes of GPU memory, by what holds them.
+struct GpuMemory {
+    std::size_t mesh = 0, samples = 0, visibility = 0, technique = 0, picture = 0;
+    std::size_t total() const { return mesh + samples + visibility + technique + picture; }
+};
+
+/// The one function that draws a frame: window, headless pictures, tests and measurements all call it.
+///   plan -> sample pass -> technique (build, lookup) -> shade -> display
+/// A technique that draws the frame many times (brute force) is drawn one render a step, so that a window stays alive.
+class FrameRenderer {
+  public:
+    /// Needs a current context for as long as it lives.
+    FrameRenderer();
+
+    gl::ProgramCache& programs() { return programs_; }
+    const gl::DeviceInfo& device() const { return device_; }
+
+    /// Starts a frame. The technique must outlive the frame. Throws Error where the technique does not support the plan
+    /// or the buffers can't be had.
+    void begin(FramePlan plan, Technique& technique, View view);
+    /// Draws the next render. True when the frame is complete.
+    bool step();
+    /// begin, and step to the end.
+    void draw(FramePlan plan, Technique& technique, View view);
+
+    bool complete() const { return renders_ > 0 && done_ == renders_; }
+    int rendersDone() const { return done_; }
+    int renders() const { return renders_; }
+    const FramePlan& plan() const { return *plan_; }
+
+    /// The picture so far, for the screen; drawn anew by every call.
+    const gl::Texture& displayTexture();
+    DisplayImage readPicture();
+    LinearImage readRadiance();
+    /// lit of every camera sample of the last render: [stratum][row from the bottom][column].
+    std::vector<float> readVisibility() const;
+    /// Triangle of every camera sample of the last render, same order.
+    std::vector<std::uint32_t> readSampleIds() const;
+
+    gl::PassTimer& timer() { return timer_; }
+    GpuMemory memory() const;
+
+  private:
+    void resize(int width, int height, int strata);
+
+    gl::DeviceInfo device_;
+    gl::PassTimer timer_;
+    gl::ProgramCache programs_;
+    FrameUniforms uniforms_;
+    Fullscreen fullscreen_;
+    GpuMesh mesh_;
+    SamplePass samplePass_;
+    ShadePass shadePass_;
+    DisplayPass displayPass_;
+    std::optional<SampleBuffer> samples_;
+    std::optional<VisibilityBuffer> visibility_;
+    std::optional<gl::Texture> radiance_, picture_;
+
+    std::optional<FramePlan> plan_;
+    Technique* technique_ = nullptr;
+    View view_ = View::Final;
+    int renders_ = 0, done_ = 0;
+};
+
+} // namespace timeshade

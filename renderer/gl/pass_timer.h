@@ -1,0 +1,63 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gl/object.h"
+
+namespace timeshade::gl {
+
+/// How long each named step of a frame took on the device. On hardware: 64-bit GL_TIMESTAMP pairs, read when they are
+/// there. On a software renderer: the wall clock around glFinish, since a timestamp there says when a command was
+/// rasterised and leaves out the vertex work. Steps of one name within a frame add up.
+class PassTimer {
+  public:
+    enum class Clock { Timestamps, Finish };
+    explicit PassTimer(Clock clock);
+    ~PassTimer();
+    PassTimer(const PassTimer&) = delete;
+    PassTimer& operator=(const PassTimer&) = delete;
+
+    class Scope {
+      public:
+        Scope(PassTimer& timer, std::string name);
+        ~Scope();
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+      private:
+        PassTimer& timer_;
+    };
+    [[nodiscard]] Scope scope(std::string name) { return {*this, std::move(name)}; }
+
+    struct Reading {
+        std::string name;
+        double milliseconds = 0.0;
+    };
+    /// Closes the frame and starts a new one. Returns the readings of the newest frame whose figures have arrived
+    /// (in order of first use), or nothing.
+    std::optional<std::vector<Reading>> endFrame();
+    /// The same, waiting for the frame just drawn.
+    std::vector<Reading> finishFrame();
+
+  private:
+    struct Step {
+        std::string name;
+        GLuint beginQuery = 0, endQuery = 0;
+        std::chrono::steady_clock::time_point begin, end;
+    };
+    using Frame = std::vector<Step>;
+    GLuint timestamp();
+    std::vector<Reading> read(const Frame& frame);
+    void recycle(const Frame& frame);
+
+    Clock clock_;
+    Frame current_;
+    std::vector<Frame> pending_;
+    std::vector<GLuint> freeQueries_;
+};
+
+} // namespace timeshade::gl

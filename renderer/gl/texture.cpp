@@ -1,0 +1,77 @@
+#include "gl/texture.h"
+
+#include <cassert>
+
+namespace timeshade::gl {
+
+namespace {
+GLuint createTexture(GLenum target) {
+    GLuint name = 0;
+    glCreateTextures(target, 1, &name);
+    return name;
+}
+} // namespace
+
+Texture::Texture(GLenum target, const std::string& labelText) : Object(createTexture(target)) {
+    label(GL_TEXTURE, name(), labelText);
+    isArray_ = target == GL_TEXTURE_2D_ARRAY;
+    if (target == GL_TEXTURE_BUFFER) return;
+    setFilters(GL_NEAREST, GL_NEAREST);
+    setWrap(GL_CLAMP_TO_EDGE);
+}
+
+Texture Texture::array2D(const std::string& labelText, GLenum internalFormat, int width, int height, int layers) {
+    assert(width > 0 && height > 0 && layers > 0);
+    Texture texture(GL_TEXTURE_2D_ARRAY, labelText);
+    glTextureStorage3D(texture.name(), 1, internalFormat, width, height, layers);
+    texture.width_ = width;
+    texture.height_ = height;
+    texture.layers_ = layers;
+    texture.bytes_ = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                     static_cast<std::size_t>(layers);
+    return texture;
+}
+
+Texture Texture::image2D(const std::string& labelText, GLenum internalFormat, int width, int height, int levels) {
+    assert(width > 0 && height > 0 && levels > 0);
+    Texture texture(GL_TEXTURE_2D, labelText);
+    glTextureStorage2D(texture.name(), levels, internalFormat, width, height);
+    texture.width_ = width;
+    texture.height_ = height;
+    texture.layers_ = 1;
+    const std::size_t base = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    texture.bytes_ = levels > 1 ? base + base / 3 : base;
+    return texture;
+}
+
+Texture Texture::ofBuffer(const std::string& labelText, GLenum internalFormat, const Buffer& buffer) {
+    Texture texture(GL_TEXTURE_BUFFER, labelText);
+    glTextureBuffer(texture.name(), internalFormat, buffer.name());
+    return texture;
+}
+
+void Texture::setFilters(GLenum minification, GLenum magnification) const {
+    glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minification));
+    glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(magnification));
+}
+
+void Texture::setWrap(GLenum mode) const {
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_S, static_cast<GLint>(mode));
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_T, static_cast<GLint>(mode));
+}
+
+std::size_t bytesPerTexel(GLenum internalFormat) {
+    switch (internalFormat) {
+    case GL_R8: return 1;
+    case GL_R32UI:
+    case GL_R32F:
+    case GL_RGBA8:
+    case GL_SRGB8_ALPHA8:
+    case GL_DEPTH_COMPONENT32F: return 4;
+    case GL_RG32F: return 8;
+    case GL_RGBA32F: return 16;
+    default: assert(false && "unknown format: add its size"); return 0;
+    }
+}
+
+} // namespace timeshade::gl

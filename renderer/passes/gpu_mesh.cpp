@@ -1,0 +1,135 @@
+#include "passes/gpu_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace timeshade {
+
+namespace {
+
+/// Largest side of a layer of the image arrays; larger images are reduced to it.
+constexpr int imageArraySide = 1024;
+
+/// Bilinear resampling to a square of the given side: one array holds all images of a scene.
+std::vector<std::uint8_t> resampled(const Image& image, int side) {
+    std::vector<std::uint8_t> out(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4);
+    const auto texel = [&](int x, int y, int channel) {
+        const int cx = std::clamp(x, 0, image.width - 1), cy = std::clamp(y, 0, image.height - 1);
+        const auto index = (static_cast<std::size_t>(cy) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(cx)) * 4;
+        return static_cast<double>(image.rgba[index + static_cast<std::size_t>(channel)]);
+    };
+    std::size_t at = 0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const double fx = (x + 0.5) * image.width / side - 0.5, fy = (y + 0.5) * image.height / side - 0.5;
+            const int x0 = static_cast<int>(std::floor(fx)), y0 = static_cast<int>(std::floor(fy));
+            const double ax = fx - x0, ay = fy - y0;
+            for (int c = 0; c < 4; ++c) {
+                const double top = texel(x0, y0, c) * (1 - ax) + texel(x0 + 1, y0, c) * ax;
+                const double bottom = texel(x0, y0 + 1, c) * (1 - ax) + texel(x0 + 1, y0 + 1, c) * ax;
+                out[at++] = static_cast<std::uint8_t>(std::lround(top * (1 - ay) + bottom * ay));
+            }
+        }
+    }
+    return out;
+}
+
+gl::Texture imageArray(const std::string& label, GLenum format, const std::vector<Image>& images, const std::vector<int>& wanted) {
+    int side = 1;
+    for (const int index : wanted) {
+        const Image& image = images[static_cast<std::size_t>(index)];
+        side = std::max(side, std::min(std::max(image.width, image.height), imageArraySide));
+    }
+    gl::Texture texture = gl::Texture::array2D(label, format, side, side, std::max(1, static_cast<int>(wanted.size())));
+    if (wanted.empty()) {
+        const std::uint32_t white = 0xffffffffu;
+        glTextureSubImage3D(texture.name(), 0, 0, 0, 0, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &white);
+    }
+    for (std::size_t layer = 0; layer < wanted.size(); ++layer) {
+        const std::vector<std::uint8_t> texels = resampled(images[static_cast<std::size_t>(wanted[layer])], side);
+        glTextureSubImage3D(texture.name(), 0, 0, 0, static_cast<GLint>(layer), side, side, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    }
+    texture.setFilters(GL_LINEAR, GL_LINEAR);
+    texture.setWrap(GL_REPEAT);
+    return texture;
+}
+
+/// Where an image lies in its array, adding it at the end if it is new; -1 stays -1.
+int layerOf(std::vector<int>& wanted, int image) {
+    if (image < 0) return -1;
+    const auto found = std::find(wanted.begin(), wanted.end(), image);
+    if (found != wanted.end()) return static_cast<int>(found - wanted.begin());
+    wanted.push_back(image);
+    return static_cast<int>(wanted.size()) - 1;
+}
+
+} // namespace
+
+void GpuMesh::update(const FramePlan& plan) {
+    if (materialsOf_ != plan.materials) uploadMaterials(plan);
+    if (allocatedFor_ != plan.mesh->topology) allocate(plan);
+    if (uploaded_ == plan.texels) return;
+    positions_->upload(std::span<const glm::vec4>(plan.texels->positions));
+    shading_->upload(std::span<const glm::vec4>(plan.texels->shading));
+    vertexPositions_->upload(std::span<const glm::vec3>(plan.texels->vertices));
+    uploaded_ = plan.texels;
+}
+
+void GpuMesh::allocate(const FramePlan& plan) {
+    const MeshTexels& texels = *plan.texels;
+    positions_.emplace("triangle positions", std::span<const glm::vec4>(texels.positions).size_bytes());
+    shading_.emplace("triangle shading", std::span<const glm::vec4>(texels.shading).size_bytes());
+    positionsView_ = gl::Texture::ofBuffer("triangle positions", GL_RGBA32F, *positions_);
+    shadingView_ = gl::Texture::ofBuffer("triangle shading", GL_RGBA32F, *shading_);
+    trianglesAsVertices_.emplace("triangles as vertices");
+    constexpr GLsizei stride = TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4);
+    glVertexArrayVertexBuffer(trianglesAsVertices_->name(), 0, positions_->name(), 0, stride);
+    for (GLuint i = 0; i < TRIANGLE_POSITION_TEXELS; ++i)
+        trianglesAsVertices_->floats(i, 0, 4, i * static_cast<GLuint>(sizeof(glm::vec4)));
+
+    vertexPositions_.emplace("vertex positions", std::span<const glm::vec3>(texels.vertices).size_bytes());
+    indices_.emplace("indices", std::span<const glm::u32vec3>(plan.mesh->topology->triangles));
+    vertices_.emplace("vertices");
+    constexpr auto position = static_cast<GLuint>(sizeof(glm::vec3));
+    glVertexArrayVertexBuffer(vertices_->name(), 0, vertexPositions_->name(), 0, 2 * position);
+    vertices_->floats(0, 0, 3, 0);
+    vertices_->floats(1, 0, 3, position);
+    glVertexArrayElementBuffer(vertices_->name(), indices_->name());
+    triangleCount_ = plan.mesh->topology->triangles.size();
+    allocatedFor_ = plan.mesh->topology;
+    uploaded_ = nullptr;
+}
+
+void GpuMesh::uploadMaterials(const FramePlan& plan) {
+    std::vector<int> colors, data;
+    std::vector<glm::vec4> texels;
+    for (const Material& material : *plan.materials) {
+        const int color = layerOf(colors, material.baseColorImage), other = layerOf(data, material.metallicRoughnessImage);
+        texels.push_back(material.baseColorFactor);
+        texels.emplace_back(material.metallicFactor, material.roughnessFactor, static_cast<float>(color), static_cast<float>(other));
+        texels.emplace_back(material.emissiveFactor, 0.0f);
+    }
+    materials_.emplace("materials", std::span<const glm::vec4>(texels));
+    materialsView_ = gl::Texture::ofBuffer("materials", GL_RGBA32F, *materials_);
+    colorImages_ = imageArray("base colour images", GL_SRGB8_ALPHA8, *plan.images, colors);
+    dataImages_ = imageArray("metallic-roughness images", GL_RGBA8, *plan.images, data);
+    materialsOf_ = plan.materials;
+}
+
+void GpuMesh::bind() const {
+    positionsView_->bind(TRIANGLE_POSITIONS_UNIT);
+    shadingView_->bind(TRIANGLE_SHADING_UNIT);
+    materialsView_->bind(MATERIALS_UNIT);
+    colorImages_->bind(COLOR_IMAGES_UNIT);
+    dataImages_->bind(DATA_IMAGES_UNIT);
+}
+
+std::size_t GpuMesh::bytes() const {
+    std::size_t sum = 0;
+    for (const auto* buffer : {&positions_, &shading_, &materials_, &vertexPositions_, &indices_}) sum += *buffer ? (*buffer)->bytes() : 0;
+    for (const auto* texture : {&colorImages_, &dataImages_}) sum += *texture ? (*texture)->bytes() : 0;
+    return sum;
+}
+
+} // namespace timeshade

@@ -1,0 +1,24 @@
+#include "passes/shade_pass.h"
+
+namespace timeshade {
+
+void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
+                     const VisibilityBuffer& visibility, View view, bool add, const gl::Texture& radiance) {
+    gl::ShaderDefines defines;
+    if (plan.camera.turns) defines.emplace_back("CAMERA_TURNS", "1");
+    if (view == View::Visibility) defines.emplace_back("VIEW_VISIBILITY", "1");
+    const gl::Program& program = programs_.get({"shade", "passes/fullscreen.vert", "passes/shade.frag", defines});
+    samples.ids().bind(SAMPLE_IDS_UNIT);
+    visibility.lit().bind(VISIBILITY_UNIT);
+    target_.attach(GL_COLOR_ATTACHMENT0, radiance);
+    target_.setColorCount(1);
+    target_.bindForDrawing(radiance.width(), radiance.height());
+    if (add) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
+    fullscreen.draw(program);
+    glDisable(GL_BLEND);
+}
+
+} // namespace timeshade

@@ -1,0 +1,30 @@
+#include "passes/shadow_map.h"
+
+namespace timeshade {
+
+void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant) {
+    const int size = plan.request.mapSize;
+    if (!depth_ || depth_->width() != size) {
+        depth_ = gl::Texture::array2D("shadow map", GL_DEPTH_COMPONENT32F, size, size, 1);
+        target_.emplace("shadow map target");
+        target_->setColorCount(0);
+        target_->attach(GL_DEPTH_ATTACHMENT, *depth_);
+    }
+    gl::ShaderDefines defines;
+    if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
+    const gl::Program& program = programs_.get({"shadow map", "passes/shadow_map.vert", "passes/depth_only.frag", defines});
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    target_->bindForDrawing(size, size);
+    const float farthest = 0.0f;
+    glClearNamedFramebufferfv(target_->name(), GL_DEPTH, 0, &farthest);
+    program.use();
+    glUniform1f(0, instant);
+    glBindVertexArray(mesh.vertices().name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mesh.triangleCount()), GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_DEPTH_TEST);
+}
+
+} // namespace timeshade

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "gl/framebuffer.h"
+#include "gl/program_cache.h"
+#include "passes/gpu_mesh.h"
+
+namespace timeshade {
+
+/// An ordinary shadow map: the nearest depth per texel with everything as it is at one instant u of the shutter.
+/// Reversed depth, as in StochasticRasterizer. All triangles are drawn, from both sides.
+class ShadowMap {
+  public:
+    explicit ShadowMap(gl::ProgramCache& programs) : programs_(programs) {}
+    /// The frame's uniforms must be bound.
+    void draw(const FramePlan& plan, const GpuMesh& mesh, float instant);
+    const gl::Texture& depth() const { return *depth_; }
+    std::size_t bytes() const { return depth_ ? depth_->bytes() : 0; }
+
+  private:
+    gl::ProgramCache& programs_;
+    std::optional<gl::Framebuffer> target_;
+    std::optional<gl::Texture> depth_;
+};
+
+} // namespace timeshade

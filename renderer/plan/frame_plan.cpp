@@ -1,0 +1,194 @@
+#include "plan/frame_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "plan/mesh_texels.h"
+#include "shared/hash.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+/// A linear vertex path shrinks a turning object by cos(angle / 2) half-way: 0.9 % at this angle.
+constexpr double turnWarningDegrees = 15.0;
+
+ViewEnd cameraEnd(const CameraPose& pose, const glm::dvec3& origin, double aspect) {
+    const double height = 2.0 * std::tan(0.5 * pose.verticalFieldOfView);
+    ViewEnd end;
+    end.eye = pose.eye - origin;
+    end.right = pose.axes[0] * (height * aspect);
+    end.up = pose.axes[1] * height;
+    end.corner = -pose.axes[2] - 0.5 * end.right - 0.5 * end.up;
+    return end;
+}
+
+ViewPlan planCamera(const Scene& scene, const FrameRequest& request, const glm::dvec3& origin, double open, double close) {
+    const CameraPose first = request.cameraPose ? *request.cameraPose : scene.camera(request.cameraIndex, open);
+    const CameraPose last = request.cameraPose ? first : scene.camera(request.cameraIndex, close);
+    const double aspect = static_cast<double>(request.width) / request.height;
+    ViewPlan view;
+    view.open = cameraEnd(first, origin, aspect);
+    view.close = cameraEnd(last, origin, aspect);
+    finishView(view, {request.width, request.height}, first.nearDistance, 0.0);
+    return view;
+}
+
+/// A spot's map covers its outer cone. Its near plane only has to be nearer than anything: depth is stored so that
+/// precision is relative.
+ViewPlan planSpotMap(const LightPose& open, const LightPose& close, const FramePlan& plan, double sceneDiagonal) {
+    const double side = 2.0 * std::tan(open.outerConeAngle);
+    ViewPlan view;
+    view.open.eye = open.position - plan.origin;
+    view.close.eye = close.position - plan.origin;
+    view.open.right = view.close.right = open.axes[0] * side;
+    view.open.up = view.close.up = open.axes[1] * side;
+    view.open.corner = view.close.corner = -open.axes[2] - 0.5 * side * (open.axes[0] + open.axes[1]);
+    finishView(view, glm::dvec2(plan.request.mapSize), 1e-4 * sceneDiagonal, 0.0);
+    return view;
+}
+
+/// A directional light's map is fitted to all vertices of this shutter, at both ends.
+ViewPlan planDirectionalMap(const LightPose& light, const FramePlan& plan) {
+    Bounds bounds;  // in the light's axes
+    const glm::dmat3 lightFromWorld = glm::transpose(light.axes);
+    for (const auto* positions : {&plan.mesh->positionsOpen, &plan.mesh->positionsClose})
+        for (const glm::dvec3& position : *positions) bounds.add(lightFromWorld * (position - plan.origin));
+    const double margin = 1e-3 * std::max(bounds.diagonal(), 1e-9);
+    bounds.low -= margin;
+    bounds.high += margin;
+    // Square texels, so that a bias in texels means one length.
+    const double side = std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
+    const glm::dvec3 extent(side, side, bounds.high.z - bounds.low.z);
+    ViewPlan view;
+    view.projection = Projection::Orthographic;
+    view.open.eye = light.axes * glm::dvec3(bounds.low.x, bounds.low.y, bounds.high.z);
+    view.open.corner = glm::dvec3(0.0);
+    view.open.right = light.axes[0] * extent.x;
+    view.open.up = light.axes[1] * extent.y;
+    view.close = view.open;
+    finishView(view, glm::dvec2(plan.request.mapSize), 0.0, extent.z);
+    return view;
+}
+
+void fillLight(shared::FrameBlock& block, const FramePlan& plan, double exposure) {
+    const LightPose& light = plan.lightOpen;
+    const double cosOuter = std::cos(light.outerConeAngle);
+    const double cosInner = std::max(std::cos(light.innerConeAngle), cosOuter + 1e-4);
+    block.lightPositionOpen = glm::vec4(glm::dvec4(plan.lightOpen.position - plan.origin, 0.0));
+    block.lightPositionClose = glm::vec4(glm::dvec4(plan.lightClose.position - plan.origin, 0.0));
+    block.cameraPositionOpen = glm::vec4(glm::dvec4(plan.camera.open.eye, 0.0));
+    block.cameraPositionClose = glm::vec4(glm::dvec4(plan.camera.close.eye, 0.0));
+    block.lightDirection = glm::vec4(glm::dvec4(-light.axes[2], light.kind == LightKind::Directional ? 1.0 : 0.0));
+    block.lightIntensity = glm::vec4(glm::dvec4(light.intensity * exposure, 0.0));
+    // Width of a map texel: per unit of distance from a spot, or as it is.
+    const double texel = glm::length(plan.light.open.right) / plan.request.mapSize;
+    block.lightCone = glm::vec4(glm::dvec4(cosOuter, cosInner, 1.0 / (cosInner - cosOuter), texel));
+    block.ambientSky = glm::vec4(0.17f, 0.19f, 0.23f, 0.0f);
+    block.ambientGround = glm::vec4(0.07f, 0.06f, 0.05f, 0.0f);
+    block.background = glm::vec4(0.045f, 0.052f, 0.065f, 0.0f);
+}
+
+/// Exposure is fixed per scene: a white matt surface that faces the light in the middle of the scene, at the scene's
+/// own first time, has radiance 2.6, so that files in candela, lux or made-up units all look right.
+double exposureOf(const Scene& scene) {
+    const LightPose light = scene.light(scene.defaults().frame / scene.defaults().framesPerSecond);
+    const glm::dvec3 path = scene.bounds().centre() - light.position;
+    const double squared = light.kind == LightKind::Directional ? 1.0 : std::max(glm::dot(path, path), 1e-12);
+    const double strongest = std::max({light.intensity.x, light.intensity.y, light.intensity.z, 1e-12});
+    return 2.6 * 3.14159265358979 * squared / strongest;
+}
+
+MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
+    MotionSummary motion;
+    motion.triangles = plan.mesh->topology->triangles.size();
+    motion.movingTriangles = movingTriangles;
+    motion.lightMoves = plan.lightOpen.kind == LightKind::Spot && plan.lightOpen.position != plan.lightClose.position;
+    motion.cameraMoves = plan.camera.turns || plan.camera.open.eye != plan.camera.close.eye;
+    motion.largestTurnDegrees = plan.mesh->largestTurnDegrees;
+    return motion;
+}
+
+std::string motionWords(const MotionSummary& motion) {
+    return fmt::format("{} of {} triangles move, the light {}, the camera {}", motion.movingTriangles, motion.triangles,
+                       motion.lightMoves ? "moves" : "stands still", motion.cameraMoves ? "moves" : "stands still");
+}
+
+} // namespace
+
+FramePlanner::FramePlanner(const Scene& scene)
+    : scene_(scene), origin_(scene.bounds().centre()), exposure_(exposureOf(scene)) {}
+
+void FramePlanner::deform(double openSeconds, double closeSeconds) {
+    if (mesh_ && openSeconds == openSeconds_ && closeSeconds == closeSeconds_) return;
+    mesh_ = std::make_shared<const MotionMesh>(scene_.motionMesh(openSeconds, closeSeconds));
+    texels_ = std::make_shared<const MeshTexels>(packMesh(*mesh_, scene_.materials(), origin_));
+    movingTriangles_ = countMovingTriangles(*mesh_);
+    openSeconds_ = openSeconds;
+    closeSeconds_ = closeSeconds;
+}
+
+FramePlan FramePlanner::plan(const FrameRequest& request) {
+    const double open = request.shutter.openSeconds(request.frame), close = request.shutter.closeSeconds(request.frame);
+    deform(open, close);
+
+    FramePlan plan;
+    plan.request = request;
+    plan.origin = origin_;
+    plan.mesh = mesh_;
+    plan.texels = texels_;
+    plan.materials = &scene_.materials();
+    plan.images = &scene_.images();
+    plan.lightOpen = scene_.light(open);
+    plan.lightClose = scene_.light(close);
+    // The map's orientation is fixed during a shutter: that of its middle.
+    plan.lightOpen.axes = plan.lightClose.axes = scene_.light(0.5 * (open + close)).axes;
+    plan.camera = planCamera(scene_, request, origin_, open, close);
+    plan.light = plan.lightOpen.kind == LightKind::Directional
+                     ? planDirectionalMap(plan.lightOpen, plan)
+                     : planSpotMap(plan.lightOpen, plan.lightClose, plan, scene_.bounds().diagonal());
+
+    fillLight(plan.block, plan, exposure_);
+    plan.block.timeBase = 0.0f;
+    plan.block.timeScale = 1.0f / static_cast<float>(request.samplesPerPixel);
+    plan.block.strata = static_cast<std::uint32_t>(request.samplesPerPixel);
+    plan.block.seed = request.seed;
+    plan.block.imageSize = {request.width, request.height};
+    plan.block.mapSize = static_cast<std::uint32_t>(request.mapSize);
+    plan.block.weight = 1.0f;
+
+    CullingRules rules;
+    rules.strata = plan.block.strata;
+    rules.dropFacingAway = true;
+    listTriangles(plan.camera, plan.texels->positions, rules);
+    rules.dropFacingAway = false;  // backs cast shadows too, whatever the material says
+    listTriangles(plan.light, plan.texels->positions, rules);
+
+    plan.motion = summarise(plan, movingTriangles_);
+    const std::size_t seen = plan.camera.smallTriangles.size() + plan.camera.largeTriangles.size();
+    plan.passes.push_back({"sample", fmt::format("{}; {} triangles face away throughout, {} are never in the picture",
+                                                 motionWords(plan.motion), plan.camera.facingAwayTriangles, plan.camera.outsideTriangles),
+                           seen});
+    if (plan.motion.largestTurnDegrees > turnWarningDegrees)
+        plan.warnings.push_back(fmt::format("something turns by {:.0f} degrees in this shutter; vertices move on straight lines, which "
+                                            "shrinks it by {:.1f} % half-way (at most {:.0f} degrees keep that under 0.9 %)",
+                                            plan.motion.largestTurnDegrees,
+                                            100.0 * (1.0 - std::cos(glm::radians(0.5 * plan.motion.largestTurnDegrees))),
+                                            turnWarningDegrees));
+    return plan;
+}
+
+FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {
+    FramePlan instant = plan;
+    instant.block.timeBase = (static_cast<float>(m) + 0.5f) / static_cast<float>(renders);
+    instant.block.timeScale = 0.0f;
+    instant.block.strata = 1;
+    instant.block.seed = shared::hashWords({plan.block.seed, static_cast<std::uint32_t>(m), 0x51ed27u}).x;
+    instant.block.weight = 1.0f / static_cast<float>(renders);
+    instant.request.samplesPerPixel = 1;
+    return instant;
+}
+
+} // namespace timeshade

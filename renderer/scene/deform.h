@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scene/geometry.h"
+#include "scene/node_motion.h"
+
+namespace timeshade::gltf {
+
+/// The joints that deform an instance.
+struct SkinBinding {
+    std::vector<int> joints;                    ///< nodes
+    std::vector<glm::dmat4> jointFromMesh;      ///< inverse bind matrices, one per joint
+};
+
+/// One primitive of a mesh at one node, and its place in the scene's list of vertices.
+struct Instance {
+    const Geometry* geometry = nullptr;
+    int node = -1;
+    int skin = -1;  ///< into the scene's bindings; -1: rigid
+    std::size_t firstVertex = 0;
+    bool moves = false;
+};
+
+/// worldFromMesh for every joint of a binding, ready to be blended.
+std::vector<glm::dmat4x3> jointMatrices(const SkinBinding& skin, const Pose& pose);
+
+/// World positions and unit normals of an instance in a pose: morph targets first, then the joints or the node.
+/// The one deformation of this program: every pass, and both ends of the shutter, get their vertices from here.
+/// `joints` is empty for a rigid instance. The spans hold one entry per vertex of the geometry.
+void deform(const Instance& instance, const Pose& pose, std::span<const glm::dmat4x3> joints,
+            std::span<glm::dvec3> positions, std::span<glm::vec3> normals);
+
+} // namespace timeshade::gltf

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/gltf_model.h"
+
+namespace timeshade::gltf {
+
+/// Which component types a use of an accessor allows beyond float.
+enum class Integers {
+    Forbidden,
+    Normalized,  ///< 8 and 16 bits, as fractions of the largest value
+    Quantized,   ///< 8 and 16 bits, normalised or as they are (KHR_mesh_quantization)
+};
+
+/// All elements of an accessor, `components` numbers each, sparse values applied. Error where the accessor has
+/// another shape or type, or holds a number that is not finite. `what` names the use in messages.
+/// `model` has been validated.
+std::vector<float> readFloats(const Model& model, int accessor, int components, Integers integers, const std::string& what);
+
+/// Unsigned integers (vertex indices, joints) of 8, 16 or, where wide, 32 bits.
+std::vector<std::uint32_t> readUnsigned(const Model& model, int accessor, int components, bool wide, const std::string& what);
+
+/// The bytes of a view.
+std::span<const std::uint8_t> bytesOf(const Model& model, int view);
+
+} // namespace timeshade::gltf

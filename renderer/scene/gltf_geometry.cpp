@@ -1,0 +1,197 @@
+#include "scene/gltf_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+#include "scene/gltf_accessors.h"
+
+namespace timeshade::gltf {
+
+namespace {
+
+/// Positions beyond this lose all detail in single precision, and their products overflow it.
+constexpr float farthest = 1e15f;
+
+enum Mode { TriangleList = 4, TriangleStrip = 5, TriangleFan = 6 };
+
+bool drawable(const Primitive& primitive) { return primitive.mode >= TriangleList && primitive.position >= 0; }
+
+std::uint64_t countOf(const Model& model, int accessor) { return model.accessors[static_cast<std::size_t>(accessor)].count; }
+
+template <typename Vector>
+std::vector<Vector> grouped(const std::vector<float>& values) {
+    std::vector<Vector> vectors(values.size() / static_cast<std::size_t>(Vector::length()));
+    if (!values.empty()) std::memcpy(static_cast<void*>(vectors.data()), values.data(), values.size() * sizeof(float));
+    return vectors;
+}
+
+/// One value per vertex, or nothing where the file has none.
+template <typename Vector>
+std::vector<Vector> readAttribute(const Model& model, int accessor, Integers integers, std::size_t vertexCount,
+                                  const std::string& what) {
+    if (accessor < 0) return {};
+    if (countOf(model, accessor) != vertexCount)
+        throw Error(fmt::format("{}: accessor {} has {} elements for {} vertices", what, accessor, countOf(model, accessor), vertexCount));
+    return grouped<Vector>(readFloats(model, accessor, static_cast<int>(Vector::length()), integers, what));
+}
+
+std::vector<glm::vec3> readPositions(const Model& model, int accessor, std::size_t vertexCount, const std::string& what) {
+    auto positions = readAttribute<glm::vec3>(model, accessor, Integers::Quantized, vertexCount, what);
+    for (const glm::vec3& p : positions)
+        if (std::abs(p.x) > farthest || std::abs(p.y) > farthest || std::abs(p.z) > farthest)
+            throw Error(fmt::format("{}: accessor {} has a position beyond {}", what, accessor, farthest));
+    return positions;
+}
+
+std::vector<glm::u32vec3> assemble(const std::vector<std::uint32_t>& corners, int mode) {
+    std::vector<glm::u32vec3> triangles;
+    const std::size_t count = corners.size();
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        if (a != b && b != c && a != c) triangles.emplace_back(a, b, c);  // strips are stitched by such triangles
+    };
+    triangles.reserve(mode == TriangleList ? count / 3 : count);
+    if (mode == TriangleList)
+        for (std::size_t i = 0; i + 2 < count; i += 3) add(corners[i], corners[i + 1], corners[i + 2]);
+    if (mode == TriangleStrip)
+        for (std::size_t i = 0; i + 2 < count; ++i)
+            i % 2 == 0 ? add(corners[i], corners[i + 1], corners[i + 2]) : add(corners[i + 1], corners[i], corners[i + 2]);
+    if (mode == TriangleFan)
+        for (std::size_t i = 0; i + 2 < count; ++i) add(corners[0], corners[i + 1], corners[i + 2]);
+    return triangles;
+}
+
+std::vector<glm::u32vec3> readTriangles(const Model& model, const Primitive& primitive, std::size_t vertexCount,
+                                        const std::string& what) {
+    std::vector<std::uint32_t> corners;
+    if (primitive.indices >= 0) {
+        corners = readUnsigned(model, primitive.indices, 1, true, what + " indices");
+        for (const std::uint32_t corner : corners)
+            if (corner >= vertexCount)
+                throw Error(fmt::format("{}: index {} is beyond its {} vertices", what, corner, vertexCount));
+    } else {
+        corners.resize(vertexCount);
+        std::iota(corners.begin(), corners.end(), 0u);
+    }
+    return assemble(corners, primitive.mode);
+}
+
+/// Broken or zero-length normals are replaced one by one: shading suffers, shadows do not.
+std::vector<glm::vec3> readNormals(const Model& model, const Primitive& primitive, const Geometry& geometry, const std::string& what) {
+    std::vector<glm::vec3> generated;
+    auto normals = readAttribute<glm::vec3>(model, primitive.normal, Integers::Normalized, geometry.positions.size(), what + " NORMAL");
+    if (normals.empty()) return generatedNormals(geometry.positions, geometry.triangles);
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const double length = glm::length(glm::dvec3(normals[i]));
+        if (length > 1e-6) {
+            normals[i] = glm::vec3(glm::dvec3(normals[i]) / length);
+        } else {
+            if (generated.empty()) generated = generatedNormals(geometry.positions, geometry.triangles);
+            normals[i] = generated[i];
+        }
+    }
+    return normals;
+}
+
+void normaliseWeights(std::vector<JointSet>& sets, std::size_t vertexCount) {
+    for (std::size_t v = 0; v < vertexCount; ++v) {
+        double sum = 0.0;
+        for (JointSet& set : sets) {
+            set.weights[v] = glm::max(set.weights[v], glm::vec4(0.0f));
+            for (int i = 0; i < 4; ++i) sum += static_cast<double>(set.weights[v][i]);
+        }
+        for (JointSet& set : sets)
+            set.weights[v] = sum > 0.0 ? glm::vec4(glm::dvec4(set.weights[v]) / sum) : glm::vec4(0.0f);
+    }
+}
+
+std::vector<JointSet> readJointSets(const Model& model, const Primitive& primitive, std::size_t vertexCount, std::size_t jointCount,
+                                    const std::string& what) {
+    std::vector<JointSet> sets(primitive.joints.size());
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        sets[s].weights = readAttribute<glm::vec4>(model, primitive.weights[s], Integers::Normalized, vertexCount, what + " WEIGHTS");
+        const auto joints = readUnsigned(model, primitive.joints[s], 4, false, what + " JOINTS");
+        if (joints.size() != vertexCount * 4)
+            throw Error(fmt::format("{} JOINTS has {} elements for {} vertices", what, joints.size() / 4, vertexCount));
+        sets[s].joints.resize(vertexCount);
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            const auto lane = static_cast<int>(i % 4);
+            // A joint without weight is often left uninitialised by exporters; only one that counts must exist.
+            const bool counts = sets[s].weights[i / 4][lane] > 0.0f;
+            if (counts && joints[i] >= jointCount)
+                throw Error(fmt::format("{}: vertex {} follows joint {}, its skin has {}", what, i / 4, joints[i], jointCount));
+            sets[s].joints[i / 4][lane] = static_cast<std::uint16_t>(counts ? joints[i] : 0u);
+        }
+    }
+    normaliseWeights(sets, vertexCount);
+    return sets;
+}
+
+Geometry readGeometry(const Model& model, const Primitive& primitive, std::size_t jointCount, const std::string& what) {
+    Geometry geometry;
+    const auto vertexCount = static_cast<std::size_t>(countOf(model, primitive.position));
+    geometry.positions = readPositions(model, primitive.position, vertexCount, what + " POSITION");
+    geometry.triangles = readTriangles(model, primitive, vertexCount, what);
+    geometry.normals = readNormals(model, primitive, geometry, what);
+    geometry.textureCoordinates =
+        readAttribute<glm::vec2>(model, primitive.textureCoordinates, Integers::Quantized, vertexCount, what + " TEXCOORD_0");
+    geometry.textureCoordinates.resize(vertexCount, glm::vec2(0.0f));
+    if (jointCount > 0) geometry.jointSets = readJointSets(model, primitive, vertexCount, jointCount, what);
+    for (const MorphTarget& target : primitive.targets) {
+        MorphDeltas deltas;
+        deltas.positions = readPositions(model, target.position, vertexCount, what + " morph POSITION");
+        if (primitive.normal >= 0)
+            deltas.normals = readAttribute<glm::vec3>(model, target.normal, Integers::Normalized, vertexCount, what + " morph NORMAL");
+        geometry.morphs.push_back(std::move(deltas));
+    }
+    geometry.material = primitive.material;
+    return geometry;
+}
+
+void spend(std::size_t& used, std::uint64_t amount, const Budget& budget, const char* what) {
+    if (amount > budget.most - used)
+        throw Error(fmt::format("has more than {} {} over all its instances, which is the limit", budget.most, what));
+    used += static_cast<std::size_t>(amount);
+}
+
+void spendOnPrimitive(const Model& model, const Primitive& primitive, Budget& budget) {
+    const std::uint64_t vertices = countOf(model, primitive.position);
+    const std::uint64_t corners = primitive.indices >= 0 ? countOf(model, primitive.indices) : vertices;
+    spend(budget.vertices, vertices, budget, "vertices");
+    spend(budget.triangles, primitive.mode == TriangleList ? corners / 3 : corners, budget, "triangles");
+}
+
+} // namespace
+
+std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes) {
+    std::vector<std::size_t> uses(model.meshes.size(), 0);
+    std::vector<std::size_t> jointCounts(model.meshes.size(), 0);  // the fewest of the skins that deform a mesh
+    for (const Node& node : model.nodes) {
+        if (!node.inScene || node.mesh < 0) continue;
+        const auto mesh = static_cast<std::size_t>(node.mesh);
+        ++uses[mesh];
+        for (const Primitive& primitive : model.meshes[mesh].primitives)
+            if (drawable(primitive)) spendOnPrimitive(model, primitive, budget);
+        if (node.skin < 0) continue;
+        const std::size_t joints = model.skins[static_cast<std::size_t>(node.skin)].joints.size();
+        jointCounts[mesh] = jointCounts[mesh] == 0 ? joints : std::min(jointCounts[mesh], joints);
+    }
+
+    std::vector<std::vector<Geometry>> geometries(model.meshes.size());
+    std::size_t skipped = 0;
+    for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+        for (std::size_t p = 0; uses[m] > 0 && p < model.meshes[m].primitives.size(); ++p) {
+            const Primitive& primitive = model.meshes[m].primitives[p];
+            if (!drawable(primitive)) ++skipped;
+            else geometries[m].push_back(readGeometry(model, primitive, jointCounts[m], fmt::format("mesh {} primitive {}", m, p)));
+        }
+    }
+    if (skipped > 0) notes.push_back(fmt::format("{} primitives of points, lines or without positions are left out", skipped));
+    return geometries;
+}
+
+} // namespace timeshade::gltf

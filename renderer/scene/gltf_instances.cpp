@@ -1,0 +1,110 @@
+#include "scene/gltf_instances.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "scene/error.h"
+#include "scene/gltf_accessors.h"
+
+namespace timeshade::gltf {
+
+namespace {
+
+std::vector<SkinBinding> readSkins(const Model& model) {
+    std::vector<SkinBinding> skins;
+    for (const Skin& skin : model.skins) {
+        SkinBinding binding{skin.joints, std::vector<glm::dmat4>(skin.joints.size(), glm::dmat4(1.0))};
+        if (skin.inverseBindMatrices >= 0) {
+            const std::string what = fmt::format("skin {} inverse bind matrices", skins.size());
+            const std::vector<float> numbers = readFloats(model, skin.inverseBindMatrices, 16, Integers::Forbidden, what);
+            for (std::size_t j = 0; j < skin.joints.size(); ++j) binding.jointFromMesh[j] = glm::dmat4(glm::make_mat4(&numbers[16 * j]));
+            for (const float number : numbers)
+                if (!(number >= -1e18f && number <= 1e18f)) throw Error(fmt::format("{} hold the number {}", what, number));
+        }
+        skins.push_back(std::move(binding));
+    }
+    return skins;
+}
+
+/// Whether most of what places the instance mirrors it.
+bool mirrored(const Instance& instance, const Stage& stage, const Pose& rest) {
+    if (instance.skin < 0) return glm::determinant(glm::dmat3(rest.worldFromNode[static_cast<std::size_t>(instance.node)])) < 0.0;
+    int balance = 0;
+    for (const glm::dmat4x3& joint : jointMatrices(stage.skins[static_cast<std::size_t>(instance.skin)], rest))
+        balance += glm::dot(joint[0], glm::cross(joint[1], joint[2])) < 0.0 ? 1 : -1;
+    return balance > 0;
+}
+
+bool moves(const Instance& instance, const Stage& stage, const NodeMotion& motion) {
+    if (motion.morphs(instance.node) || motion.moves(instance.node)) return true;
+    if (instance.skin < 0) return false;
+    const std::vector<int>& joints = stage.skins[static_cast<std::size_t>(instance.skin)].joints;
+    return std::any_of(joints.begin(), joints.end(), [&](int joint) { return motion.moves(joint); });
+}
+
+void appendTopology(MeshTopology& topology, std::vector<char>& used, const Instance& instance, bool flip, std::uint32_t material,
+                    std::uint32_t number) {
+    const Geometry& geometry = *instance.geometry;
+    const auto first = static_cast<std::uint32_t>(instance.firstVertex);
+    topology.textureCoordinates.insert(topology.textureCoordinates.end(), geometry.textureCoordinates.begin(), geometry.textureCoordinates.end());
+    used.resize(used.size() + geometry.positions.size(), 0);
+    for (const glm::u32vec3& triangle : geometry.triangles) {
+        const glm::u32vec3 placed = (flip ? glm::u32vec3(triangle.x, triangle.z, triangle.y) : triangle) + first;
+        topology.triangles.push_back(placed);
+        topology.triangleMaterials.push_back(material);
+        topology.triangleInstances.push_back(number);
+        for (int corner = 0; corner < 3; ++corner) used[placed[corner]] = 1;
+    }
+    topology.vertexCount += geometry.positions.size();
+}
+
+std::vector<int> turningNodes(const Stage& stage, const NodeMotion& motion) {
+    std::vector<int> nodes;
+    for (const Instance& instance : stage.instances) {
+        if (instance.skin < 0) nodes.push_back(instance.node);
+        else
+            for (const int joint : stage.skins[static_cast<std::size_t>(instance.skin)].joints) nodes.push_back(joint);
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    std::erase_if(nodes, [&](int node) { return !motion.moves(node); });
+    return nodes;
+}
+
+} // namespace
+
+Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::vector<Geometry>> geometries,
+                 std::uint32_t defaultMaterial, std::vector<std::string>& notes) {
+    Stage stage;
+    stage.geometries = std::move(geometries);
+    stage.skins = readSkins(model);
+    auto topology = std::make_shared<MeshTopology>();
+    std::size_t flipped = 0;
+    std::uint32_t number = 0;  // all primitives of a node are one instance to the rest of the program
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+        const Node& node = model.nodes[n];
+        if (!node.inScene || node.mesh < 0 || stage.geometries[static_cast<std::size_t>(node.mesh)].empty()) continue;
+        bool anyFlipped = false;
+        for (const Geometry& geometry : stage.geometries[static_cast<std::size_t>(node.mesh)]) {
+            Instance instance{&geometry, static_cast<int>(n), geometry.jointSets.empty() ? -1 : node.skin, topology->vertexCount, false};
+            instance.moves = moves(instance, stage, motion);
+            const bool flip = mirrored(instance, stage, motion.rest());
+            anyFlipped = anyFlipped || flip;
+            const std::uint32_t material = geometry.material < 0 ? defaultMaterial : static_cast<std::uint32_t>(geometry.material);
+            appendTopology(*topology, stage.used, instance, flip, material, number);
+            stage.instances.push_back(instance);
+        }
+        flipped += anyFlipped ? 1 : 0;
+        ++number;
+    }
+    if (topology->triangles.empty()) throw Error("has no triangles to show");
+    if (flipped > 0) notes.push_back(fmt::format("{} mirrored instances have their triangles turned round", flipped));
+    topology->instanceCount = number;
+    stage.topology = std::move(topology);
+    stage.turningNodes = turningNodes(stage, motion);
+    return stage;
+}
+
+} // namespace timeshade::gltf

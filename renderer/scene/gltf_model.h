@@ -1,0 +1,180 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "scene/gltf_document.h"
+#include "scene/material.h"
+
+namespace timeshade::gltf {
+
+/// The values are glTF's own.
+enum class Component { Byte = 5120, UnsignedByte = 5121, Short = 5122, UnsignedShort = 5123, UnsignedInt = 5125, Float = 5126 };
+
+std::size_t byteSize(Component component);
+
+struct View {
+    int buffer = -1;
+    std::uint64_t offset = 0;
+    std::uint64_t length = 0;
+    std::uint64_t stride = 0;  ///< 0: tightly packed
+};
+
+struct SparseValues {
+    std::uint64_t count = 0;
+    int indexView = -1;
+    std::uint64_t indexOffset = 0;
+    Component indexType = Component::UnsignedInt;
+    int valueView = -1;
+    std::uint64_t valueOffset = 0;
+};
+
+struct Accessor {
+    int view = -1;  ///< -1: all zeros, but for the sparse values
+    std::uint64_t offset = 0;
+    std::uint64_t count = 0;
+    int components = 1;  ///< 1..4 or 16
+    Component type = Component::Float;
+    bool normalized = false;
+    std::optional<SparseValues> sparse;
+};
+
+/// Accessor indices, -1 where absent.
+struct MorphTarget {
+    int position = -1;
+    int normal = -1;
+};
+
+struct Primitive {
+    int position = -1;
+    int normal = -1;
+    int textureCoordinates = -1;
+    std::vector<int> joints;   ///< JOINTS_0 and JOINTS_1, as many as there are, both lists of one length
+    std::vector<int> weights;
+    std::vector<MorphTarget> targets;
+    int indices = -1;
+    int material = -1;
+    int mode = 4;
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<Primitive> primitives;
+    std::vector<double> weights;
+};
+
+/// A node's own transform: parentFromNode = T * R * S.
+struct LocalTransform {
+    glm::dvec3 translation{0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 scale{1.0};
+    glm::dmat4 matrix() const;
+};
+
+struct Node {
+    std::string name;
+    int parent = -1;
+    std::vector<int> children;
+    LocalTransform local;
+    std::optional<glm::dmat4> matrix;  ///< stands in for `local` where the file gives a matrix
+    int mesh = -1;
+    int skin = -1;
+    int camera = -1;
+    int light = -1;
+    std::vector<double> weights;
+    bool inScene = false;  ///< reachable from the scene that is shown
+};
+
+struct Skin {
+    std::vector<int> joints;
+    int inverseBindMatrices = -1;
+};
+
+enum class Interpolation { Step, Linear, CubicSpline };
+enum class TargetPath { Translation, Rotation, Scale, Weights, Other };
+
+struct AnimationSampler {
+    int input = -1;
+    int output = -1;
+    Interpolation interpolation = Interpolation::Linear;
+};
+
+struct AnimationChannel {
+    int sampler = -1;
+    int node = -1;
+    TargetPath path = TargetPath::Other;
+};
+
+struct Animation {
+    std::string name;
+    std::vector<AnimationSampler> samplers;
+    std::vector<AnimationChannel> channels;
+};
+
+struct Camera {
+    std::string name;
+    bool perspective = true;
+    double verticalFieldOfView = 0.0;
+    double nearDistance = 0.0;
+};
+
+struct Light {
+    std::string name;
+    std::string type;
+    glm::dvec3 colour{1.0};
+    double intensity = 1.0;
+    double innerConeAngle = 0.0;
+    double outerConeAngle = 0.785398163397448;
+};
+
+/// Material of the file; its image indices are texture indices until the images have been read.
+struct MaterialSource {
+    Material material;
+    int baseColorTexture = -1;
+    int metallicRoughnessTexture = -1;
+    bool otherCoordinates = false;  ///< a texture asks for coordinates that are not read, or for a transform
+};
+
+struct ImageSource {
+    std::string name;
+    std::string uri;
+    int view = -1;
+};
+
+/// What a file says, as plain data. After readModel and validate every index is in range and every accessor lies
+/// within its view, every view within its buffer.
+struct Model {
+    std::vector<std::shared_ptr<const Bytes>> buffers;
+    std::vector<std::uint64_t> bufferLengths;  ///< as declared; at most the size of the bytes
+    std::vector<View> views;
+    std::vector<Accessor> accessors;
+    std::vector<Mesh> meshes;
+    std::vector<Node> nodes;
+    std::vector<int> parentsFirst;  ///< all nodes, each after its parent
+    std::vector<Skin> skins;
+    std::vector<Animation> animations;
+    std::vector<MaterialSource> materials;
+    std::vector<int> textureImages;  ///< image of each texture, -1 for none
+    std::vector<ImageSource> images;
+    std::vector<Camera> cameras;
+    std::vector<Light> lights;
+    std::vector<std::vector<int>> scenes;  ///< root nodes of each
+    int scene = -1;                        ///< the one that is shown; -1: all roots
+};
+
+/// Structure only: nothing is checked but what the format of this struct demands.
+Model readModel(const Document& document);
+
+/// Loads the buffers that the file names.
+void loadBuffers(Model& model, const Document& document, FilesBeside& files);
+
+/// Throws Error at the first thing that would mislead a later step. Fills parent, inScene and parentsFirst.
+void validate(Model& model);
+
+} // namespace timeshade::gltf

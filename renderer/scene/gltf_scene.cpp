@@ -1,0 +1,235 @@
+#include "scene/gltf_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "scene/clip_clock.h"
+#include "scene/error.h"
+#include "scene/gltf_defaults.h"
+#include "scene/gltf_document.h"
+#include "scene/gltf_geometry.h"
+#include "scene/gltf_images.h"
+#include "scene/gltf_instances.h"
+#include "scene/gltf_views.h"
+#include "scene/one_line.h"
+
+namespace timeshade {
+
+namespace {
+
+using namespace gltf;
+
+/// Deforms instances into lists that hold the vertices of all of them.
+void deformInstances(const Stage& stage, const Pose& pose, bool movingOnes, std::vector<glm::dvec3>& positions,
+                     std::vector<glm::vec3>& normals) {
+    std::vector<std::vector<glm::dmat4x3>> joints(stage.skins.size());
+    for (const Instance& instance : stage.instances) {
+        if (instance.moves != movingOnes) continue;
+        std::span<const glm::dmat4x3> own;
+        if (instance.skin >= 0) {
+            auto& matrices = joints[static_cast<std::size_t>(instance.skin)];
+            if (matrices.empty()) matrices = jointMatrices(stage.skins[static_cast<std::size_t>(instance.skin)], pose);
+            own = matrices;
+        }
+        const std::size_t count = instance.geometry->positions.size();
+        deform(instance, pose, own, std::span(positions).subspan(instance.firstVertex, count),
+               std::span(normals).subspan(instance.firstVertex, count));
+    }
+}
+
+class GltfScene final : public Scene {
+  public:
+    GltfScene(std::string name, const Model& model, NodeMotion motion, Stage stage, Looks looks, std::vector<std::string> notes)
+        : name_(std::move(name)), motion_(std::move(motion)), stage_(std::move(stage)), looks_(std::move(looks)),
+          notes_(std::move(notes)), clock_(motion_.clip().duration, false) {
+        positions_.resize(stage_.topology->vertexCount);
+        normals_.resize(stage_.topology->vertexCount);
+        deformInstances(stage_, motion_.rest(), false, positions_, normals_);
+        moves_ = std::any_of(stage_.instances.begin(), stage_.instances.end(), [](const Instance& i) { return i.moves; });
+        measure();
+        views_ = readViews(model, bounds_, notes_);
+        clock_ = ClipClock(motion_.clip().duration, loops());
+    }
+
+    void setDefaults(const SceneDefaults& defaults, std::vector<std::string> notes) {
+        defaults_ = defaults;
+        notes_.insert(notes_.end(), notes.begin(), notes.end());
+    }
+
+    const std::string& name() const override { return name_; }
+    double duration() const override { return motion_.clip().tracks.empty() ? 0.0 : motion_.clip().duration; }
+    const SceneDefaults& defaults() const override { return defaults_; }
+    const std::vector<Material>& materials() const override { return looks_.materials; }
+    const std::vector<Image>& images() const override { return looks_.images; }
+    const std::vector<CameraBookmark>& cameras() const override { return views_.names; }
+    const Bounds& bounds() const override { return bounds_; }
+    const std::vector<std::string>& notes() const override { return notes_; }
+
+    CameraPose camera(std::size_t index, double seconds) const override { return cameraAt(index, clock_.wrapped(seconds)); }
+    LightPose light(double seconds) const override { return lightAt(clock_.wrapped(seconds)); }
+    double heldCloseSeconds(double openSeconds, double closeSeconds) const override {
+        return clock_.heldClose(openSeconds, closeSeconds);
+    }
+    MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
+
+  private:
+    CameraPose cameraAt(std::size_t index, double clipSeconds) const;
+    LightPose lightAt(double clipSeconds) const;
+    void measure();
+    bool loops() const;
+
+    std::string name_;
+    NodeMotion motion_;
+    Stage stage_;
+    Looks looks_;
+    std::vector<std::string> notes_;
+    ClipClock clock_;
+    Views views_;
+    SceneDefaults defaults_;
+    Bounds bounds_;
+    bool moves_ = false;
+    std::vector<glm::dvec3> positions_;  ///< of instances that never move; the others' entries are scratch
+    std::vector<glm::vec3> normals_;
+};
+
+CameraPose GltfScene::cameraAt(std::size_t index, double clipSeconds) const {
+    const PlacedCamera& camera = views_.cameras.at(index);
+    CameraPose pose = camera.pose;
+    if (camera.node < 0) return pose;
+    const glm::dmat4 worldFromNode = motion_.worldFromNode(camera.node, clipSeconds);
+    pose.eye = glm::dvec3(worldFromNode[3]);
+    pose.axes = rotationOf(worldFromNode);
+    return pose;
+}
+
+LightPose GltfScene::lightAt(double clipSeconds) const {
+    LightPose pose = views_.light.pose;
+    if (views_.light.node < 0) return pose;
+    const glm::dmat4 worldFromNode = motion_.worldFromNode(views_.light.node, clipSeconds);
+    pose.position = glm::dvec3(worldFromNode[3]);
+    pose.axes = rotationOf(worldFromNode);
+    if (views_.light.aimed) {
+        glm::dvec3 target = bounds_.centre();
+        if (glm::length(target - pose.position) < 1e-6 * bounds_.diagonal()) target.y -= bounds_.diagonal();  // from within: down
+        pose.axes = lookAt(pose.position, target, glm::dvec3(0.0, 1.0, 0.0), 1.0, 1.0).axes;
+    }
+    return pose;
+}
+
+/// Bounds of what the triangles touch during the clip.
+void GltfScene::measure() {
+    constexpr int samples = 16;
+    constexpr double farthest = 1e18;  // squares of such distances still fit single precision
+    const double duration = motion_.clip().duration;
+    std::vector<glm::dvec3> positions = positions_;
+    std::vector<glm::vec3> normals = normals_;
+    for (int sample = 0; sample <= (moves_ ? samples : 0); ++sample) {
+        if (moves_) deformInstances(stage_, motion_.at(duration * sample / samples), true, positions, normals);
+        for (std::size_t v = 0; v < positions.size(); ++v) {
+            const glm::dvec3& p = positions[v];
+            if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= farthest))
+                throw Error(fmt::format("a vertex lies beyond {} units from the origin", farthest));
+            if (stage_.used[v]) bounds_.add(p);
+        }
+    }
+    if (!(bounds_.diagonal() > 1e-12)) throw Error("all its triangles together have no size");
+}
+
+/// Whether the end of the clip shows what its start shows.
+bool GltfScene::loops() const {
+    constexpr double tolerance = 1e-4;  // of the extent: exporters round the last key
+    const double duration = motion_.clip().duration;
+    if (!(duration > 0.0)) return true;
+    const double extent = bounds_.diagonal();
+    const auto near = [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) <= tolerance * extent; };
+
+    for (std::size_t i = 0; i < views_.cameras.size(); ++i) {
+        const CameraPose start = cameraAt(i, 0.0);
+        const CameraPose end = cameraAt(i, duration);
+        if (!near(start.eye, end.eye) || !near(extent * start.axes[2], extent * end.axes[2])) return false;
+    }
+    const LightPose start = lightAt(0.0);
+    const LightPose end = lightAt(duration);
+    if (!near(start.position, end.position) || !near(extent * start.axes[2], extent * end.axes[2])) return false;
+    if (!moves_) return true;
+
+    std::vector<glm::dvec3> atStart = positions_;
+    std::vector<glm::dvec3> atEnd = positions_;
+    std::vector<glm::vec3> normals = normals_;
+    deformInstances(stage_, motion_.at(0.0), true, atStart, normals);
+    deformInstances(stage_, motion_.at(duration), true, atEnd, normals);
+    for (std::size_t v = 0; v < atStart.size(); ++v)
+        if (!near(atStart[v], atEnd[v])) return false;
+    return true;
+}
+
+MotionMesh GltfScene::motionMesh(double openSeconds, double closeSeconds) const {
+    MotionMesh mesh{stage_.topology, positions_, positions_, normals_, normals_, 0.0};
+    if (!moves_) return mesh;
+    deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 0.0)), true, mesh.positionsOpen, mesh.normalsOpen);
+    deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 1.0)), true, mesh.positionsClose, mesh.normalsClose);
+    // In steps, because two ends alone cannot tell a whole turn from none.
+    constexpr int steps = 4;
+    std::vector<double> path;
+    for (int step = 0; step <= steps; ++step) path.push_back(clock_.during(openSeconds, closeSeconds, static_cast<double>(step) / steps));
+    mesh.largestTurnDegrees = motion_.largestTurnDegrees(stage_.turningNodes, path);
+    return mesh;
+}
+
+Clip chooseClip(const Model& model, const std::string& wanted, std::vector<std::string>& notes) {
+    std::vector<Clip> clips;
+    std::vector<std::vector<std::string>> clipNotes(model.animations.size());
+    for (std::size_t i = 0; i < model.animations.size(); ++i) clips.push_back(readClip(model, i, clipNotes[i]));
+    std::size_t chosen = 0;
+    if (!wanted.empty()) {
+        std::vector<std::string> names;
+        for (const Clip& clip : clips) names.push_back(clip.name);
+        chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin());
+        if (chosen == names.size())
+            throw Error(fmt::format("has no clip \"{}\"; {}", oneLine(wanted), names.empty() ? std::string("it has none at all")
+                                                                                              : fmt::format("it has: {}", fmt::join(names, ", "))));
+    }
+    if (clips.empty()) return {};
+    notes.insert(notes.end(), clipNotes[chosen].begin(), clipNotes[chosen].end());
+    return std::move(clips[chosen]);
+}
+
+std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions& options) {
+    const Document document = readDocument(path, options.maxBufferBytes);
+    FilesBeside files(path.parent_path(), options.maxBufferBytes);
+    Model model = readModel(document);
+    loadBuffers(model, document, files);
+    validate(model);
+
+    std::vector<std::string> notes;
+    auto geometries = readGeometries(model, Budget{options.maxTriangles}, notes);
+    NodeMotion motion(model, chooseClip(model, options.clip, notes), notes);
+    Looks looks = readLooks(model, files, notes);
+    Stage stage = buildStage(model, motion, std::move(geometries), static_cast<std::uint32_t>(looks.materials.size() - 1), notes);
+    auto scene = std::make_unique<GltfScene>(path.stem().string(), model, std::move(motion), std::move(stage), std::move(looks), std::move(notes));
+    std::vector<std::string> defaultNotes;
+    const SceneDefaults defaults = readDefaults(document.json, model.scene, scene->duration(), defaultNotes);
+    scene->setDefaults(defaults, std::move(defaultNotes));
+    return scene;
+}
+
+} // namespace
+
+std::unique_ptr<Scene> loadGltf(const std::filesystem::path& path, const GltfOptions& options) {
+    constexpr std::size_t longest = 200;
+    std::string problem;
+    try {
+        return load(path, options);
+    } catch (const std::bad_alloc&) {
+        problem = "needs more memory than there is";
+    } catch (const std::exception& error) {
+        problem = oneLine(error.what(), longest);
+    }
+    throw Error(fmt::format("{}: {}", oneLine(path.string(), 4096), problem));
+}
+
+} // namespace timeshade

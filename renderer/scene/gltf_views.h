@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/node_motion.h"
+#include "scene/scene.h"
+
+namespace timeshade::gltf {
+
+/// A camera or light that a node carries, or (node -1) one that was fitted to the scene.
+struct PlacedCamera {
+    int node = -1;
+    CameraPose pose;  ///< eye and axes are overwritten by the node's
+};
+struct PlacedLight {
+    int node = -1;
+    bool aimed = false;  ///< a point light: it has no direction, so it looks at the scene's centre
+    LightPose pose;      ///< position and axes are overwritten by the node's
+};
+
+struct Views {
+    std::vector<CameraBookmark> names;  ///< all different, one per camera
+    std::vector<PlacedCamera> cameras;  ///< never empty
+    PlacedLight light;
+};
+
+/// Cameras and the light of the shown scene, or fitted ones where the file has none.
+Views readViews(const Model& model, const Bounds& bounds, std::vector<std::string>& notes);
+
+} // namespace timeshade::gltf

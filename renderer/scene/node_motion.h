@@ -1,0 +1,61 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scene/animation.h"
+#include "scene/gltf_model.h"
+
+namespace timeshade::gltf {
+
+/// All nodes at one instant.
+struct Pose {
+    std::vector<glm::dmat4> worldFromNode;
+    std::vector<std::vector<double>> morphWeights;  ///< per node; empty where its mesh has no morph targets
+};
+
+/// The node hierarchy of a file and the clip that drives it. No clip: it rests.
+class NodeMotion {
+  public:
+    NodeMotion(const Model& model, Clip clip, std::vector<std::string>& notes);
+
+    const Clip& clip() const { return clip_; }
+    /// Whether the node's world transform, or its morph weights, can change at all.
+    bool moves(int node) const { return moves_[static_cast<std::size_t>(node)]; }
+    bool morphs(int node) const;
+    const Pose& rest() const { return rest_; }
+
+    /// Clip time, not wrapped. Error where a transform overflows.
+    Pose at(double clipSeconds) const;
+    /// One node alone, for cameras and lights.
+    glm::dmat4 worldFromNode(int node, double clipSeconds) const;
+
+    /// The largest turn, in degrees, of the given nodes along a path of instants.
+    double largestTurnDegrees(const std::vector<int>& nodes, const std::vector<double>& clipSeconds) const;
+
+  private:
+    struct Entry {
+        int parent = -1;
+        LocalTransform local;
+        glm::dmat4 matrix{1.0};  ///< parentFromNode at rest
+        std::size_t firstTrack = 0;
+        std::size_t endTrack = 0;
+    };
+    void readEntries(const Model& model, std::vector<std::string>& notes);
+    void restPose(const Model& model);
+    glm::dmat4 parentFromNode(const Entry& entry, double clipSeconds) const;
+
+    Clip clip_;  ///< tracks in the order of their nodes
+    std::vector<Entry> nodes_;
+    std::vector<int> parentsFirst_;
+    std::vector<char> moves_;
+    std::vector<int> movingParentsFirst_;
+    Pose rest_;
+};
+
+/// The rotation in a transform: its axes made orthonormal, right-handed. Identity where an axis has no length.
+glm::dmat3 rotationOf(const glm::dmat4& transform);
+
+} // namespace timeshade::gltf

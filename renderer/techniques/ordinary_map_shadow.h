@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "passes/shadow_map.h"
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+/// What `static` and `accumulation` have in common: one ordinary shadow map of an instant, and its test.
+class OrdinaryMapShadow {
+  public:
+    explicit OrdinaryMapShadow(gl::ProgramCache& programs) : programs_(programs) {}
+
+    /// Declares the settings of the test: bias, slope_bias, pcf_radius.
+    void visitSettings(SettingsVisitor& visitor);
+    /// The instant of the plan's shutter (or of its one sample time) at which the map is drawn.
+    static float instantOf(const FramePlan& plan);
+    void build(const TechniqueFrame& frame);
+    void lookup(const TechniqueFrame& frame);
+    std::size_t bytes() const { return map_ ? map_->bytes() : 0; }
+
+  private:
+    gl::ProgramCache& programs_;
+    float bias_ = 0.5f, slopeBias_ = 1.0f;
+    int pcfRadius_ = 0;
+    std::optional<ShadowMap> map_;
+    std::optional<LookupPass> lookupPass_;
+};
+
+} // namespace timeshade

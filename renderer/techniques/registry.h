@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+/// All techniques, in the order in which they are shown. Needs no OpenGL.
+const std::vector<TechniqueDescription>& techniqueDescriptions();
+
+/// Throws UsageError that lists the known names. OpenGL is touched only when the technique draws, so that settings can
+/// be listed and parsed without a context; `programs` must outlive the technique.
+std::unique_ptr<Technique> makeTechnique(const std::string& name, gl::ProgramCache& programs);
+
+} // namespace timeshade

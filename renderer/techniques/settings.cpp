@@ -1,0 +1,77 @@
+#include "techniques/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+namespace {
+
+class Collector final : public SettingsVisitor {
+  public:
+    void visit(const Setting& setting) override { settings.push_back(setting); }
+    std::vector<Setting> settings;
+};
+
+std::optional<double> parseNumber(const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+std::optional<double> parseSwitch(const std::string& text) {
+    if (text == "on" || text == "true" || text == "1") return 1.0;
+    if (text == "off" || text == "false" || text == "0") return 0.0;
+    return std::nullopt;
+}
+
+} // namespace
+
+double Setting::get() const {
+    return std::visit([](auto* pointer) { return static_cast<double>(*pointer); }, value);
+}
+
+void Setting::set(double number) {
+    if (auto* const* pointer = std::get_if<float*>(&value)) **pointer = static_cast<float>(number);
+    if (auto* const* pointer = std::get_if<int*>(&value)) **pointer = static_cast<int>(std::lround(number));
+    if (auto* const* pointer = std::get_if<bool*>(&value)) **pointer = number != 0.0;
+}
+
+std::vector<Setting> settingsOf(Technique& technique) {
+    Collector collector;
+    technique.visitSettings(collector);
+    return std::move(collector.settings);
+}
+
+void setFromText(Technique& technique, const std::string& key, const std::string& text) {
+    std::vector<Setting> settings = settingsOf(technique);
+    const std::string name = technique.description().name;
+    const auto setting = std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
+    if (setting == settings.end()) {
+        std::string known;
+        for (const Setting& s : settings) known += (known.empty() ? "" : ", ") + name + "." + s.key;
+        throw UsageError(fmt::format("--set {}.{}: no such setting; expected one of {}", name, key, known));
+    }
+    if (setting->isSwitch()) {
+        const std::optional<double> state = parseSwitch(text);
+        if (!state) throw UsageError(fmt::format("--set {}.{}={}: expected on or off", name, key, text));
+        setting->set(*state);
+        return;
+    }
+    const std::optional<double> number = parseNumber(text);
+    const bool whole = number && (!setting->isWhole() || *number == std::floor(*number));
+    if (!whole || *number < setting->minimum || *number > setting->maximum)
+        throw UsageError(fmt::format("--set {}.{}={}: expected a {} from {:g} to {:g} ({})", name, key, text,
+                                     setting->isWhole() ? "whole number" : "number", setting->minimum, setting->maximum, setting->unit));
+    setting->set(*number);
+}
+
+} // namespace timeshade

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/program_cache.h"
+#include "passes/fullscreen.h"
+#include "passes/gpu_mesh.h"
+#include "passes/sample_buffer.h"
+#include "passes/visibility_buffer.h"
+#include "plan/frame_plan.h"
+#include "techniques/settings.h"
+
+namespace timeshade {
+
+struct TechniqueDescription {
+    std::string name;     ///< as on the command line: lower case, also the name of its folders
+    std::string title;    ///< for people
+    std::string summary;  ///< one sentence: the idea and the price
+    std::string source;   ///< paper, year
+};
+
+/// What a technique may read, and the one buffer that it writes.
+struct TechniqueFrame {
+    const FramePlan& plan;
+    const GpuMesh& mesh;
+    const SampleBuffer& samples;
+    const VisibilityBuffer& visibility;
+    const Fullscreen& fullscreen;
+};
+
+/// The thing under study: computes `lit` for every camera sample. It reads the plan, the mesh and the samples and
+/// writes the visibility buffer. It never shades, never asks the clock, draws no random number but from the plan's
+/// seed, and knows no other technique and no window. The frame's uniforms and the mesh are bound when it is called.
+class Technique {
+  public:
+    virtual ~Technique() = default;
+    Technique() = default;
+    Technique(const Technique&) = delete;
+    Technique& operator=(const Technique&) = delete;
+
+    virtual const TechniqueDescription& description() const = 0;
+    virtual void visitSettings(SettingsVisitor& visitor) = 0;
+    /// Why this plan can't be drawn, in words for the user; nothing if it can.
+    virtual std::optional<std::string> unsupported(const FramePlan&) const { return std::nullopt; }
+    /// The passes that this technique adds to the plan's, each with its reason.
+    virtual std::vector<PassDecision> passes(const FramePlan& plan) const = 0;
+    /// How many times the whole frame is drawn, each time with all samples at one instant, and averaged. 1: drawn
+    /// once, with the samples spread over the shutter.
+    virtual int renders() const { return 1; }
+
+    /// Draws whatever the lookup needs. Timed as "build".
+    virtual void build(const TechniqueFrame& frame) = 0;
+    /// Writes lit for every camera sample. Timed as "lookup".
+    virtual void lookup(const TechniqueFrame& frame) = 0;
+    /// GPU memory held, in bytes.
+    virtual std::size_t bytes() const = 0;
+};
+
+/// Draws `program` once per stratum over the visibility buffer; uniform location 0 is the stratum. What every lookup
+/// comes down to.
+class LookupPass {
+  public:
+    LookupPass() : target_("visibility target") {}
+    void draw(const TechniqueFrame& frame, const gl::Program& program) const;
+
+  private:
+    gl::Framebuffer target_;
+};
+
+/// Defines that lib/receiver.glsl and lib/light_map.glsl want for this plan.
+gl::ShaderDefines viewDefines(const FramePlan& plan);
+
+} // namespace timeshade

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "passes/stochastic_rasterizer.h"
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+/// Time-dependent shadow maps (Akenine-Moller, Munkberg, Hasselgren 2007, as P1, P2 and P4 describe them): one map
+/// layer per stratum of the shutter, each texel of it drawn at a random time of the stratum; a camera sample is tested in the
+/// layer of its own stratum. The times differ by up to 1/N of the shutter, 1/(3N) in the mean. Without the dynamic bias a
+/// receiver that approaches the light at v per shutter shadows itself on 1/2 (1 - bias N / v)^2 of its samples.
+class TsmShadow final : public Technique {
+  public:
+    static const TechniqueDescription& describe();
+    explicit TsmShadow(gl::ProgramCache& programs) : programs_(programs) {}
+
+    const TechniqueDescription& description() const override { return describe(); }
+    void visitSettings(SettingsVisitor& visitor) override;
+    std::vector<PassDecision> passes(const FramePlan& plan) const override;
+    void build(const TechniqueFrame& frame) override;
+    void lookup(const TechniqueFrame& frame) override;
+    std::size_t bytes() const override;
+
+  private:
+    gl::ProgramCache& programs_;
+    float bias_ = 0.5f, slopeBias_ = 1.0f;
+    bool dynamicBias_ = false;
+    std::optional<StochasticRasterizer> rasterizer_;
+    std::optional<gl::Texture> depth_, velocity_;
+    std::optional<LookupPass> lookupPass_;
+};
+
+} // namespace timeshade

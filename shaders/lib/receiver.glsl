@@ -1,0 +1,80 @@
+// The receiver of a camera sample: which point of which triangle it sees, at its own time. Derived again from the
+// triangle's number and the time wherever it is needed, so that no G-buffer has to be written or read.
+// CAMERA_TURNS, LIGHT_ORTHOGRAPHIC: kinds of view.
+#include "lib/blocks.glsl"
+#include "shared/moving_triangle.shared.h"
+#include "shared/sample_pattern.shared.h"
+
+layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
+layout(binding = SAMPLE_IDS_UNIT) uniform usampler2DArray sampleIds;
+
+struct MovingTriangle {
+    vec3 open0, open1, open2;     // world space less the origin, at u = 0
+    vec3 close0, close1, close2;  // at u = 1
+    bool doubleSided;
+    uint material;
+};
+
+struct Receiver {
+    uint triangle;
+    float time;
+    vec3 barycentrics;
+    vec3 position;         // world space less the origin
+    vec3 edge1, edge2;     // two edges of the triangle at this time: its plane
+    vec3 geometricNormal;  // not normalised; of a two-sided triangle the one towards the camera
+};
+
+MovingTriangle fetchTriangle(uint id) {
+    int first = int(id) * TRIANGLE_POSITION_TEXELS;
+    vec4 a = texelFetch(trianglePositions, first), b = texelFetch(trianglePositions, first + 1),
+         c = texelFetch(trianglePositions, first + 2), d = texelFetch(trianglePositions, first + 3),
+         e = texelFetch(trianglePositions, first + 4);
+    return MovingTriangle(a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), c.yzw, d.xyz, vec3(d.w, e.xy), e.z != 0.0, uint(e.w));
+}
+
+// The point of a triangle with the given barycentrics, at time u.
+Receiver pointAt(MovingTriangle t, uint id, vec3 barycentrics, float u) {
+    vec3 p0 = mix(t.open0, t.close0, u), p1 = mix(t.open1, t.close1, u), p2 = mix(t.open2, t.close2, u);
+    Receiver r;
+    r.triangle = id;
+    r.time = u;
+    r.barycentrics = barycentrics;
+    r.position = barycentrics.x * p0 + barycentrics.y * p1 + barycentrics.z * p2;
+    r.edge1 = p1 - p0;
+    r.edge2 = p2 - p0;
+    r.geometricNormal = cross(r.edge1, r.edge2);
+    return r;
+}
+
+// Where the camera ray of the sample meets the triangle's plane at the sample's time. The same arithmetic as the sample pass.
+Receiver receiverOf(MovingTriangle t, uint id, uvec2 pixel, uint stratum) {
+    vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA);
+    float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
+    vec2 position = (vec2(pixel) + pattern.xy) / cameraView.size;
+    vec3 v0 = mix((cameraView.viewFromWorldOpen * vec4(t.open0, 1.0)).xyz, (cameraView.viewFromWorldClose * vec4(t.close0, 1.0)).xyz, u);
+    vec3 v1 = mix((cameraView.viewFromWorldOpen * vec4(t.open1, 1.0)).xyz, (cameraView.viewFromWorldClose * vec4(t.close1, 1.0)).xyz, u);
+    vec3 v2 = mix((cameraView.viewFromWorldOpen * vec4(t.open2, 1.0)).xyz, (cameraView.viewFromWorldClose * vec4(t.close2, 1.0)).xyz, u);
+#ifdef CAMERA_TURNS
+    vec3 ray = mix((cameraView.raysOpen * vec4(position, 1.0, 0.0)).xyz, (cameraView.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
+    vec3 e = edgeFunctions(v0.xy * ray.z - ray.xy * v0.z, v1.xy * ray.z - ray.xy * v1.z, v2.xy * ray.z - ray.xy * v2.z);
+#else
+    vec3 e = edgeFunctions(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z);
+#endif
+    float sum = e.x + e.y + e.z;
+    Receiver r = pointAt(t, id, e / sum, u);
+    if (sum < 0.0) r.geometricNormal = -r.geometricNormal;  // only two-sided triangles are seen from behind
+    return r;
+}
+
+// From the receiver to the light at its time, not normalised for a spot. Directional: unit length.
+vec3 towardsLight(vec3 position, float u) {
+    return frame.lightDirection.w != 0.0 ? -frame.lightDirection.xyz
+                                         : mix(frame.lightPositionOpen.xyz, frame.lightPositionClose.xyz, u) - position;
+}
+
+// Only receivers that face the light and lie inside its cone are tested for shadow.
+bool facesLight(Receiver r) {
+    vec3 l = towardsLight(r.position, r.time);
+    bool inCone = frame.lightDirection.w != 0.0 || dot(-l, frame.lightDirection.xyz) >= frame.lightCone.x * length(l);
+    return inCone && dot(r.geometricNormal, l) > 0.0;
+}

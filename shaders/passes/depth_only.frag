@@ -1,0 +1,2 @@
+// Nothing but the depth that the rasteriser writes.
+void main() {}

@@ -1,0 +1,106 @@
+// Mean over a pixel's camera samples of shading times lit: the only place where light becomes colour.
+// VIEW_VISIBILITY: mean of lit alone.
+#include "lib/receiver.glsl"
+
+layout(binding = TRIANGLE_SHADING_UNIT) uniform samplerBuffer triangleShading;
+layout(binding = VISIBILITY_UNIT) uniform sampler2DArray visibility;
+layout(binding = MATERIALS_UNIT) uniform samplerBuffer materials;
+layout(binding = COLOR_IMAGES_UNIT) uniform sampler2DArray colorImages;
+layout(binding = DATA_IMAGES_UNIT) uniform sampler2DArray dataImages;
+
+layout(location = 0) out vec4 outputRadiance;
+
+const float PI = 3.14159265358979;
+
+struct Surface {
+    vec3 normal;  // smooth, towards the viewer's side
+    vec3 baseColor;
+    float metallic;
+    float roughness;
+    vec3 emissive;
+};
+
+Surface surfaceOf(Receiver r, uint material) {
+    int first = int(r.triangle) * TRIANGLE_SHADING_TEXELS;
+    vec4 a = texelFetch(triangleShading, first), b = texelFetch(triangleShading, first + 1),
+         c = texelFetch(triangleShading, first + 2), d = texelFetch(triangleShading, first + 3),
+         e = texelFetch(triangleShading, first + 4);
+    vec3 normal = r.barycentrics.x * mix(a.xyz, c.yzw, r.time) + r.barycentrics.y * mix(vec3(a.w, b.xy), d.xyz, r.time) +
+                  r.barycentrics.z * mix(vec3(b.zw, c.x), vec3(d.w, e.xy), r.time);
+    float squared = dot(normal, normal);
+    normal = squared > 1e-12 ? normal * inversesqrt(squared) : normalize(r.geometricNormal);
+    vec4 factors = texelFetch(materials, int(material) * MATERIAL_TEXELS + 1);
+    Surface s;
+    s.normal = dot(normal, r.geometricNormal) < 0.0 ? -normal : normal;
+    s.baseColor = texelFetch(materials, int(material) * MATERIAL_TEXELS).rgb;
+    s.emissive = texelFetch(materials, int(material) * MATERIAL_TEXELS + 2).rgb;
+    s.metallic = factors.x;
+    s.roughness = factors.y;
+    if (factors.z >= 0.0 || factors.w >= 0.0) {
+        vec4 f = texelFetch(triangleShading, first + 5);
+        vec2 uv = r.barycentrics.x * e.zw + r.barycentrics.y * f.xy + r.barycentrics.z * f.zw;
+        if (factors.z >= 0.0) s.baseColor *= textureLod(colorImages, vec3(uv, factors.z), 0.0).rgb;
+        if (factors.w >= 0.0) {
+            vec3 data = textureLod(dataImages, vec3(uv, factors.w), 0.0).rgb;
+            s.roughness *= data.g;
+            s.metallic *= data.b;
+        }
+    }
+    return s;
+}
+
+// glTF's metallic-roughness BRDF times cosine: Lambert plus GGX (Walter et al. 2007) with height-correlated Smith
+// shadowing and Schlick's Fresnel term.
+vec3 reflected(Surface s, vec3 toLight, vec3 toEye) {
+    float nl = dot(s.normal, toLight), nv = max(dot(s.normal, toEye), 1e-3);
+    if (nl <= 0.0) return vec3(0.0);
+    vec3 halfway = normalize(toLight + toEye);
+    float nh = max(dot(s.normal, halfway), 0.0), vh = max(dot(toEye, halfway), 0.0);
+    float alpha = max(s.roughness * s.roughness, 1e-3), alpha2 = alpha * alpha;
+    float d = nh * nh * (alpha2 - 1.0) + 1.0;
+    float distribution = alpha2 / (PI * d * d);
+    float smithing = 0.5 / (nl * sqrt(nv * nv * (1.0 - alpha2) + alpha2) + nv * sqrt(nl * nl * (1.0 - alpha2) + alpha2));
+    vec3 f0 = mix(vec3(0.04), s.baseColor, s.metallic);
+    vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
+    vec3 diffuse = (1.0 - fresnel) * (1.0 - s.metallic) * s.baseColor / PI;
+    return (diffuse + fresnel * distribution * smithing) * nl;
+}
+
+vec3 lightArriving(vec3 toLight) {
+    if (frame.lightDirection.w != 0.0) return frame.lightIntensity.rgb;
+    float squared = dot(toLight, toLight);
+    float cosine = dot(-toLight, frame.lightDirection.xyz) * inversesqrt(squared);
+    float cone = clamp((cosine - frame.lightCone.x) * frame.lightCone.z, 0.0, 1.0);
+    return frame.lightIntensity.rgb * (cone * cone / squared);
+}
+
+vec3 shade(Receiver r, uint material, float lit) {
+    Surface s = surfaceOf(r, material);
+    vec3 toLight = towardsLight(r.position, r.time);
+    vec3 eye = mix(frame.cameraPositionOpen.xyz, frame.cameraPositionClose.xyz, r.time);
+    vec3 toEye = normalize(eye - r.position);
+    vec3 ambient = mix(frame.ambientGround.rgb, frame.ambientSky.rgb, 0.5 + 0.5 * s.normal.y);
+    vec3 radiance = s.emissive + ambient * mix(s.baseColor, vec3(0.04), 0.2);
+    if (lit > 0.0) radiance += lit * lightArriving(toLight) * reflected(s, normalize(toLight), toEye);
+    return radiance;
+}
+
+void main() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    vec3 sum = vec3(0.0);
+    for (uint stratum = 0u; stratum < frame.strata; ++stratum) {
+        float lit = texelFetch(visibility, ivec3(pixel, stratum), 0).x;
+#ifdef VIEW_VISIBILITY
+        sum += vec3(lit);
+#else
+        uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
+        if (id == NO_TRIANGLE) {
+            sum += frame.background.rgb;
+        } else {
+            MovingTriangle t = fetchTriangle(id);
+            sum += shade(receiverOf(t, id, pixel, stratum), t.material, lit);
+        }
+#endif
+    }
+    outputRadiance = vec4(sum / float(frame.strata), 1.0) * frame.weight;
+}

@@ -1,0 +1,75 @@
+// Does the sample of this pixel and stratum lie in the moving triangle at its own time? Exact per sample: the cover
+// drawn by the vertex shader only has to be large enough.
+// OUTPUT_ID: write the triangle's number. OUTPUT_DEPTH_VELOCITY: write how fast the hit point's depth changes.
+#include "lib/blocks.glsl"
+#include "shared/moving_triangle.shared.h"
+#include "shared/sample_pattern.shared.h"
+
+#ifdef VIEW_LIGHT
+#define view lightView
+#else
+#define view cameraView
+#endif
+
+layout(location = 0) uniform uint stratum;
+
+flat in vec4 open0;
+flat in vec3 open1;
+flat in vec3 open2;
+flat in vec3 close0;
+flat in vec3 close1;
+flat in vec3 close2;
+flat in uint triangleId;
+
+#if defined(OUTPUT_ID)
+layout(location = 0) out uint outputId;
+#elif defined(OUTPUT_DEPTH_VELOCITY)
+layout(location = 0) out float outputDepthVelocity;
+#endif
+
+void main() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+#ifdef VIEW_LIGHT
+    vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_LIGHT);
+    pattern.xy = vec2(0.5);  // a map is sampled at its texels' centres, at random times
+#else
+    vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA);
+#endif
+    float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
+    vec2 position = (vec2(pixel) + pattern.xy) / view.size;
+
+    vec3 v0 = mix(open0.xyz, close0, u);
+    vec3 v1 = mix(open1, close1, u);
+    vec3 v2 = mix(open2, close2, u);
+#if defined(VIEW_ORTHOGRAPHIC)
+    precise vec3 e = edgeFunctions(v0.xy - position, v1.xy - position, v2.xy - position);
+#elif defined(VIEW_TURNS)
+    vec3 ray = mix((view.raysOpen * vec4(position, 1.0, 0.0)).xyz, (view.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
+    precise vec3 e = edgeFunctions(v0.xy * ray.z - ray.xy * v0.z, v1.xy * ray.z - ray.xy * v1.z, v2.xy * ray.z - ray.xy * v2.z);
+#else
+    precise vec3 e = edgeFunctions(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z);
+#endif
+    float sum = e.x + e.y + e.z;
+    bool front = min(min(e.x, e.y), e.z) >= 0.0 && sum > 0.0;
+    bool back = max(max(e.x, e.y), e.z) <= 0.0 && sum < 0.0;
+#ifndef VIEW_LIGHT
+    back = back && open0.w != 0.0;
+#endif
+    if (!(front || back)) discard;
+    float distance = dot(e, vec3(v0.z, v1.z, v2.z)) / sum;
+#if defined(VIEW_TURNS)
+    distance /= ray.z;
+#endif
+#if defined(VIEW_ORTHOGRAPHIC)
+    if (!(distance >= 0.0 && distance <= view.farDistance)) discard;
+    gl_FragDepth = 1.0 - distance / view.farDistance;
+#else
+    if (!(distance > view.nearDistance)) discard;
+    gl_FragDepth = view.nearDistance / distance;  // reversed: 1 at the near plane, 0 infinitely far
+#endif
+#if defined(OUTPUT_ID)
+    outputId = triangleId;
+#elif defined(OUTPUT_DEPTH_VELOCITY)
+    outputDepthVelocity = dot(e, vec3(close0.z - open0.z, close1.z - open1.z, close2.z - open2.z)) / sum;
+#endif
+}
