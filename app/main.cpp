@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -20,8 +24,10 @@ int run(const timeshade::Options& options) {
     return 1;
 }
 
-int fail(int code, const char* what) {
+/// One line, whatever the names and values in it hold.
+int fail(int code, std::string what) {
     std::fflush(stdout);
+    std::replace_if(what.begin(), what.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     fmt::print(stderr, "timeshade: error: {}\n", what);
     return code;
 }
@@ -30,7 +36,9 @@ int fail(int code, const char* what) {
 
 int main(int argumentCount, char** arguments) {
     try {
-        return run(timeshade::parseCommandLine(argumentCount, arguments));
+        const int code = run(timeshade::parseCommandLine(argumentCount, arguments));
+        if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+        return code;
     } catch (const timeshade::UsageError& error) {
         return fail(2, error.what());
     } catch (const std::exception& error) {

@@ -1,7 +1,10 @@
 #include "options.h"
 
+#include <algorithm>
+#include <charconv>
 #include <fstream>
-#include <map>
+#include <sstream>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -13,6 +16,44 @@
 namespace timeshade {
 
 namespace {
+
+/// The value checks are our own: CLI11's ranges let NaN pass, its words may also be given as numbers, and the messages
+/// of both leave out what was expected or say more than that.
+template <typename T>
+CLI::Validator numberFrom(T low, T high) {
+    return CLI::Validator(
+        [low, high](const std::string& text) {
+            T number{};
+            const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+            const bool good = failure == std::errc{} && rest == text.data() + text.size() && number >= low && number <= high;
+            return good ? std::string{}
+                        : fmt::format("'{}' given, expected a {} from {} to {}", text,
+                                      std::is_integral_v<T> ? "whole number" : "number", low, high);
+        },
+        fmt::format("{} to {}", low, high));
+}
+
+CLI::Validator notEmpty(const std::string& expected) {
+    return CLI::Validator([expected](const std::string& text) { return text.empty() ? "'' given, expected " + expected : ""; }, "");
+}
+
+/// Replaces a word by its enumerator's number, which is how CLI11 reads enumerations.
+template <typename Enum>
+CLI::Validator oneOf(const std::vector<std::pair<std::string, Enum>>& words) {
+    return CLI::Validator(
+        [words](std::string& text) {
+            std::string known;
+            for (const auto& [word, value] : words) {
+                if (word == text) {
+                    text = std::to_string(static_cast<int>(value));
+                    return std::string{};
+                }
+                known += (known.empty() ? "" : ", ") + word;
+            }
+            return fmt::format("'{}' given, expected one of {}", text, known);
+        },
+        "");
+}
 
 void parseSize(const std::string& text, Options& options) {
     int width = 0, height = 0;
@@ -46,10 +87,13 @@ void checkSettings(const Options& options) {
 /// settings. It is turned into arguments that come before those of the command line, which therefore win.
 std::vector<std::string> argumentsOfFile(const std::string& path) {
     std::ifstream stream(path);
-    if (!stream) throw Error(fmt::format("{}: cannot be read; expected a JSON file of settings", path));
+    std::ostringstream bytes;
+    // A folder opens like a file and fails only when it is read.
+    if (!stream || stream.peek() == std::ifstream::traits_type::eof() || !(bytes << stream.rdbuf()))
+        throw Error(fmt::format("--settings '{}': cannot be read; expected a JSON file of settings", path));
     nlohmann::json json;
     try {
-        json = nlohmann::json::parse(stream);
+        json = nlohmann::json::parse(bytes.str());
     } catch (const nlohmann::json::exception&) {
         throw Error(fmt::format("{}: is not JSON; expected an object of settings", path));
     }
@@ -58,13 +102,12 @@ std::vector<std::string> argumentsOfFile(const std::string& path) {
     std::vector<std::string> arguments;
     for (const auto& [key, value] : json.items()) {
         if (key == "set" && value.is_object()) {
-            for (const auto& [name, setting] : value.items()) {
-                arguments.push_back("--set");
-                arguments.push_back(name + "=" + text(setting));
-            }
+            for (const auto& [name, setting] : value.items()) arguments.push_back("--set=" + name + "=" + text(setting));
+        } else if (key == "settings" || key == "help") {
+            throw Error(fmt::format("{}: \"{}\" is not a setting; expected options that say what to draw", path, key));
         } else if (value.is_primitive() && !value.is_null()) {
-            arguments.push_back("--" + key);
-            arguments.push_back(text(value));
+            // Joined, so that a switch's value is not taken for the scene, nor a negative number for an option.
+            arguments.push_back("--" + key + "=" + text(value));
         } else {
             throw Error(fmt::format("{}: \"{}\" is {}; expected a number, a string or a switch", path, key, value.type_name()));
         }
@@ -73,55 +116,57 @@ std::vector<std::string> argumentsOfFile(const std::string& path) {
 }
 
 void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::vector<std::string>& settings) {
-    const std::map<std::string, ContextKind> contexts{
-        {"auto", ContextKind::Auto}, {"window", ContextKind::Window}, {"egl", ContextKind::Egl}, {"osmesa", ContextKind::OsMesa}};
-    const std::map<std::string, View> views{{"final", View::Final}, {"visibility", View::Visibility}};
-    const std::map<std::string, ShutterPosition> positions{
-        {"start", ShutterPosition::Start}, {"centre", ShutterPosition::Centre}, {"end", ShutterPosition::End}};
     const auto last = CLI::MultiOptionPolicy::TakeLast;
     app.add_option("--technique", options.technique, "static, tsm, accumulation")->multi_option_policy(last);
     app.add_option("--spp", options.samplesPerPixel, "camera samples per pixel, one per stratum of the shutter")
-        ->check(CLI::Range(1, maximumSamplesPerPixel))->multi_option_policy(last);
-    app.add_option("--size", size, "WIDTHxHEIGHT of the picture")->multi_option_policy(last);
+        ->check(numberFrom(1, maximumSamplesPerPixel))->multi_option_policy(last);
+    app.add_option("--size", size, "WIDTHxHEIGHT of the picture")->check(notEmpty("WIDTHxHEIGHT"))->multi_option_policy(last);
     app.add_option("--map", options.mapSize, "texels along a side of the light's map")
-        ->check(CLI::Range(minimumMapSize, maximumMapSize))->multi_option_policy(last);
+        ->check(numberFrom(minimumMapSize, maximumMapSize))->multi_option_policy(last);
     auto* frame = app.add_option("--frame", options.frame, "number of the frame (default: the scene's own)")
-        ->check(CLI::Range(-1e6, 1e6))->multi_option_policy(last);
-    app.add_option("--time", options.seconds, "seconds instead of a frame number")->check(CLI::Range(-1e6, 1e6))->excludes(frame)->multi_option_policy(last);
-    app.add_option("--fps", options.framesPerSecond, "frames per second")->check(CLI::Range(0.1, 10000.0))->multi_option_policy(last);
+        ->check(numberFrom(-1e6, 1e6))->multi_option_policy(last);
+    app.add_option("--time", options.seconds, "seconds instead of a frame number")->check(numberFrom(-1e6, 1e6))->excludes(frame)->multi_option_policy(last);
+    app.add_option("--fps", options.framesPerSecond, "frames per second")->check(numberFrom(0.1, 10000.0))->multi_option_policy(last);
     app.add_option("--shutter", options.shutterLength, "frames during which the shutter is open (0.5 is 180 degrees)")
-        ->check(CLI::Range(0.0, 16.0))->multi_option_policy(last);
+        ->check(numberFrom(0.0, 16.0))->multi_option_policy(last);
     app.add_option("--shutter-position", options.shutterPosition, "start, centre, end: where the frame's instant lies in the shutter")
-        ->transform(CLI::CheckedTransformer(positions))->multi_option_policy(last);
-    app.add_option("--seed", options.seed, "of all random numbers")->multi_option_policy(last);
+        ->transform(oneOf<ShutterPosition>({{"start", ShutterPosition::Start}, {"centre", ShutterPosition::Centre},
+                                            {"end", ShutterPosition::End}}))
+        ->multi_option_policy(last);
+    app.add_option("--seed", options.seed, "of all random numbers")->check(numberFrom(0u, 4294967295u))->multi_option_policy(last);
     app.add_option("--context", options.context.kind, "auto, window, egl, osmesa")
-        ->transform(CLI::CheckedTransformer(contexts))->multi_option_policy(last);
+        ->transform(oneOf<ContextKind>({{"auto", ContextKind::Auto}, {"window", ContextKind::Window},
+                                        {"egl", ContextKind::Egl}, {"osmesa", ContextKind::OsMesa}}))
+        ->multi_option_policy(last);
     app.add_option("--device", options.context.device, "number of an EGL device (list --devices)")
-        ->check(CLI::Range(0, 1000))->multi_option_policy(last);
+        ->check(numberFrom(0, 1000))->multi_option_policy(last);
     app.add_option("--set", settings, "TECHNIQUE.KEY=VALUE, repeatable (list shows the keys)")->allow_extra_args(false);
-    app.add_option("--camera", options.camera, "name of one of the scene's cameras")->multi_option_policy(last);
-    app.add_option("--clip", options.clip, "name of one of the file's animations")->multi_option_policy(last);
-    app.add_option("--view", options.view, "final, visibility")->transform(CLI::CheckedTransformer(views))->multi_option_policy(last);
+    app.add_option("--camera", options.camera, "name of one of the scene's cameras")->check(notEmpty("a camera's name"))->multi_option_policy(last);
+    app.add_option("--clip", options.clip, "name of one of the file's animations")->check(notEmpty("a clip's name"))->multi_option_policy(last);
+    app.add_option("--view", options.view, "final, visibility")
+        ->transform(oneOf<View>({{"final", View::Final}, {"visibility", View::Visibility}}))->multi_option_policy(last);
     app.add_flag("--explain", options.explain, "print the plan: which passes run, and why");
-    app.add_option("--json", options.json, "write a report of the frame")->multi_option_policy(last);
+    app.add_option("--json", options.json, "write a report of the frame")->check(notEmpty("a file name"))->multi_option_policy(last);
     app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of");
     // Taken out beforehand; declared here for --help.
     app.add_option("--settings", "JSON file of these options; the command line wins");
 }
 
-/// Replaces `--settings F` by what the file says, right behind the command's name.
-std::vector<std::string> withSettingsFile(std::vector<std::string> arguments) {
+/// Replaces every `--settings F` by what the file says, right behind the command's name; of two files the later wins.
+std::vector<std::string> withSettingsFiles(const std::vector<std::string>& arguments) {
+    std::vector<std::string> ofFiles, others;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const bool joined = arguments[i].rfind("--settings=", 0) == 0;
-        if (!joined && (arguments[i] != "--settings" || i + 1 >= arguments.size())) continue;
-        const std::string path = joined ? arguments[i].substr(11) : arguments[i + 1];
-        arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i), arguments.begin() + static_cast<std::ptrdiff_t>(i + (joined ? 1 : 2)));
-        const std::vector<std::string> more = argumentsOfFile(path);
-        const bool startsWithCommand = !arguments.empty() && arguments.front().rfind("-", 0) != 0;
-        arguments.insert(arguments.begin() + (startsWithCommand ? 1 : 0), more.begin(), more.end());
-        break;
+        if (!joined && (arguments[i] != "--settings" || i + 1 >= arguments.size())) {
+            others.push_back(arguments[i]);
+            continue;
+        }
+        const std::vector<std::string> more = argumentsOfFile(joined ? arguments[i].substr(11) : arguments[++i]);
+        ofFiles.insert(ofFiles.end(), more.begin(), more.end());
     }
-    return arguments;
+    const bool startsWithCommand = !others.empty() && others.front().rfind("-", 0) != 0;
+    others.insert(others.begin() + (startsWithCommand ? 1 : 0), ofFiles.begin(), ofFiles.end());
+    return others;
 }
 
 /// `timeshade` alone and `timeshade chess` mean the window.
@@ -146,7 +191,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     std::vector<std::string> settings;
     std::vector<std::string> arguments(argumentValues + 1, argumentValues + argumentCount);
     addDefaultCommand(arguments);
-    arguments = withSettingsFile(std::move(arguments));
+    arguments = withSettingsFiles(arguments);
 
     CLI::App app("A real-time laboratory for motion-blurred shadows", "timeshade");
     app.set_version_flag("--version", "timeshade " TIMESHADE_VERSION);
@@ -160,7 +205,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     CLI::App* shot = app.add_subcommand("shot", "draw a picture without a window");
     shot->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file")->required();
     shot->add_option("-o,--output", options.output, "F.png or F.exr")->required();
-    shot->add_option("--frames", options.frames, "number of frames to draw, one file each (F.0000.png, ...)")->check(CLI::Range(1, 100000));
+    shot->add_option("--frames", options.frames, "number of frames to draw, one file each (F.0000.png, ...)")->check(numberFrom(1, 100000));
     addFrameOptions(*shot, options, size, settings);
 
     CLI::App* pictures = app.add_subcommand("pictures", "draw every built-in scene into a folder, with a table of times");

@@ -1,4 +1,4 @@
-"""The chess scene: a game in motion. A knight leaps, the queen slides in, the rook she takes falls and rolls."""
+"""The chess scene: a game in motion. A knight leaps, the queen slides in, and the rook she takes falls and rolls."""
 
 import math
 
@@ -19,12 +19,12 @@ TABLE = -0.38
 MAKERS = {"king": king, "queen": queen, "rook": rook, "bishop": bishop, "knight": knight, "pawn": pawn}
 
 # A square, or a place on the table beside the board as (x, z).
-WHITE = (("king", "g1"), ("rook", "e1"), ("rook", "c1"), ("bishop", "b2"), ("bishop", "d3"), ("knight", "c3"),
+WHITE = (("king", "g1"), ("queen", "c1"), ("rook", "e1"), ("bishop", "b2"), ("bishop", "d3"), ("knight", "c3"),
          ("pawn", "a2"), ("pawn", "b3"), ("pawn", "d5"), ("pawn", "e3"), ("pawn", "f2"), ("pawn", "g2"),
          ("pawn", "h3"), ("pawn", (-5.35, 0.9)))
-BLACK = (("king", "g8"), ("queen", "d8"), ("rook", "b8"), ("bishop", "b7"), ("bishop", "g7"),
-         ("pawn", "a6"), ("pawn", "c6"), ("pawn", "d6"), ("pawn", "e7"), ("pawn", "f7"), ("pawn", "g6"),
-         ("pawn", "h7"), ("knight", (-5.4, -1.2)), ("knight", "f6"), ("pawn", (-5.9, 0.1)))
+BLACK = (("king", "g8"), ("rook", "d8"), ("rook", "b8"), ("bishop", "b7"), ("bishop", "g7"), ("knight", "c5"),
+         ("knight", (-5.4, -1.2)), ("pawn", "a6"), ("pawn", "c6"), ("pawn", "d6"), ("pawn", "e7"), ("pawn", "f7"),
+         ("pawn", "g6"), ("pawn", "h7"), ("pawn", (-5.9, 0.1)))
 QUEEN_FROM, QUEEN_TO = "a4", "h4"
 KNIGHT_FROM, KNIGHT_TO = "f3", "g5"
 ROOK_FROM = "h4"
@@ -60,7 +60,7 @@ def play_time(frame):
 def queen_pose(t):
     start, end = square(QUEEN_FROM), square(QUEEN_TO)
     share = smoothstep(10.0, 27.0, t)
-    return add(start, ((end[0] - start[0]) * share, 0.0, 0.0)), turn("queen", True, end)
+    return add(start, ((end[0] - start[0]) * share, 0.0, 0.0)), turn("queen", False, end)
 
 
 def knight_pose(t):
@@ -81,7 +81,7 @@ class RookFall:
     def __init__(self, mesh):
         self.points = mesh.positions
         self.start = square(ROOK_FROM)
-        self.facing = turn("rook", False, self.start)
+        self.facing = turn("rook", True, self.start)
 
     def ground(self, x):
         """The board is a step above the table; the step is rounded so that the fall is not a jump."""
@@ -89,14 +89,14 @@ class RookFall:
 
     def pose(self, t):
         tip = smoothstep(15.0, 29.0, t)
-        run = min(1.0, max(0.0, (t - 15.0) / 29.0))
+        run = min(1.0, max(0.0, (t - 15.0) / 20.0))
         share = smoothstep(0.0, 0.14, run) * (1.0 - (1.0 - run) ** 2.0)
-        x = self.start[0] + 3.9 * share
-        z = self.start[2] + 0.75 * share
+        x = self.start[0] + 2.45 * share
+        z = self.start[2] + 0.5 * share
         # It falls towards +Z, so that it can roll on towards +X.
         upright = multiply(axis_angle((0.0, 1.0, 0.0), 16.0 * share),
                            multiply(axis_angle((1.0, 0.0, -0.25), 97.0 * tip),
-                                    axis_angle((0.0, 1.0, 0.0), -250.0 * smoothstep(17.0, 47.0, t))))
+                                    axis_angle((0.0, 1.0, 0.0), -140.0 * smoothstep(18.0, 38.0, t))))
         rotation = multiply(upright, self.facing)
         lowest = min(rotate(rotation, p)[1] for p in self.points)
         return (x, self.ground(x) - lowest, z), rotation
@@ -143,20 +143,20 @@ def board():
 
 def build():
     document = Document(NAME, DEFAULT_FRAME, FPS, SHUTTER)
-    document.camera("table", (5.0, 9.7, 11.7), (0.4, 0.1, 0.2), 0.545, 0.1, 60.0)
+    document.camera("table", (5.2, 9.7, 11.7), (0.65, 0.1, 0.2), 0.555, 0.1, 60.0)
     document.camera("knight", (7.0, 6.4, 10.0), (0.9, 0.8, -2.0), 0.30, 0.1, 60.0)
     document.camera("rook", (11.4, 5.2, 9.2), (4.0, 0.1, 0.0), 0.32, 0.1, 60.0)
     document.spot("lamp", (-12.2, 8.6, -5.2), (0.6, 0.0, 0.2), (1.0, 0.93, 0.82), 1500.0, 0.42, 0.56)
 
-    maple = document.texture(wood(3, (196, 158, 108), (246, 222, 182)))
-    walnut = document.texture(wood(7, (120, 78, 52), (214, 158, 112)))
+    maple = document.texture(wood(3, (214, 186, 146), (252, 236, 208)))
+    walnut = document.texture(wood(7, (176, 138, 112), (250, 226, 200)))
     cloth = document.texture(mottled(5, (196, 198, 200), (255, 255, 255), 64, 128, 0.6, 128))
-    white_wood = document.material("boxwood", (0.93, 0.83, 0.66), 0.38, maple)
-    black_wood = document.material("ebonised wood", (0.30, 0.18, 0.13), 0.34, walnut)
-    light_square = document.material("maple squares", (0.92, 0.80, 0.60), 0.5, maple)
-    dark_square = document.material("walnut squares", (0.50, 0.30, 0.19), 0.5, walnut)
-    frame = document.material("frame", (0.33, 0.18, 0.11), 0.45, walnut)
-    baize = document.material("baize", (0.24, 0.38, 0.33), 0.95, cloth)
+    white_wood = document.material("boxwood", (0.97, 0.90, 0.76), 0.38, maple)
+    black_wood = document.material("ebonised wood", (0.27, 0.17, 0.13), 0.34, walnut)
+    light_square = document.material("maple squares", (0.92, 0.80, 0.62), 0.5, maple)
+    dark_square = document.material("walnut squares", (0.46, 0.27, 0.19), 0.5, walnut)
+    frame = document.material("frame", (0.28, 0.14, 0.10), 0.45, walnut)
+    baize = document.material("baize", (0.32, 0.48, 0.42), 0.95, cloth)
 
     def table_coordinates(part, p):
         return (0.35 * p[0], 0.35 * p[2])
@@ -185,9 +185,9 @@ def build():
             document.node(f"{side} {kind} {where if isinstance(where, str) else 'captured'}", position,
                           turn(kind, side == "white", position), mesh=meshes[side, kind])
 
-    moving = (("white queen, sliding", ("white", "queen"), queen_pose),
+    moving = (("black queen, sliding", ("black", "queen"), queen_pose),
               ("white knight, leaping", ("white", "knight"), knight_pose),
-              ("black rook, captured", ("black", "rook"), RookFall(shapes["rook"]).pose))
+              ("white rook, captured", ("white", "rook"), RookFall(shapes["rook"]).pose))
     for name, which, pose in moving:
         position, rotation = pose(0)
         node = document.node(name, position, rotation, mesh=meshes[which])

@@ -143,13 +143,13 @@ def cut_mitre(centre, low, high, widest, radius):
         start = add(middle, scale(across, offset))
         forward, backward = reach(start, along), reach(start, scale(along, -1.0))
         heart = add(start, scale(along, (forward - backward) / 2.0))
+        is_step = level > 0 and levels[level - 1][1] != cut
         ring = []
         for i in range(count):
             angle = 2.0 * math.pi * i / count
             direction = add(scale(along, math.cos(angle)), scale(side, -math.sin(angle)))
             point = add(heart, scale(direction, reach(heart, direction)))
             beyond = dot(add(point, scale(middle, -1.0)), along) - floor
-            is_step = level > 0 and levels[level - 1][1] != cut
             if cut and beyond > 0.0:
                 point = add(point, scale(along, -beyond))
             # Behind the slit's floor both rings of a step are the same.
@@ -208,7 +208,8 @@ def queen():
     profile += bead(0.235, 0.94, 1.00, 3) + [(0.15, 1.01)] + bead(0.185, 1.02, 1.06, 3) + [(0.0, 1.08)]
     mesh = lathe(profile, SEGMENTS)
     mesh.merge(crown(1.05, 1.39, 0.125, 0.235, 9, 0.055, 1.375))
-    mesh.merge(lathe([(0.0, 1.33)] + sphere_profile(0.17, 1.31, -20.0, 4)[:-1] + sphere_profile(0.062, 1.52, 50.0, 6), 16))
+    dome = [(0.0, 1.33)] + sphere_profile(0.17, 1.31, -20.0, 4)[:-1]
+    mesh.merge(lathe(dome + sphere_profile(0.062, 1.52, 50.0, 6), 16))
     return mesh
 
 
@@ -227,7 +228,8 @@ def cross_solid(centre_height, arm, narrow, wide, half_depth):
         return [mesh.vertex((x * size, centre_height + y * size, depth)) for x, y in outline]
 
     bevel = 0.82
-    rings = [ring(bevel, -half_depth), ring(1.0, -half_depth * 0.55), ring(1.0, half_depth * 0.55), ring(bevel, half_depth)]
+    rings = [ring(bevel, -half_depth), ring(1.0, -0.55 * half_depth), ring(1.0, 0.55 * half_depth),
+             ring(bevel, half_depth)]
     for lower, upper in zip(rings, rings[1:]):
         mesh.bridge(lower, upper)
     mesh.cap(rings[0][::-1], mesh.vertex((0.0, centre_height, -half_depth)))

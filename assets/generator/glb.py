@@ -3,7 +3,7 @@
 import json
 import struct
 
-from .mesh import corner_normals
+from .mesh import corner_normals, require_closed
 from .vectors import look_at
 
 BYTE, SHORT, INT, FLOAT = 5121, 5123, 5125, 5126
@@ -88,6 +88,7 @@ class Document:
 
         texture_coordinates(part, position) must be continuous: it is evaluated once per vertex.
         """
+        require_closed(mesh, name)
         primitives = self.primitives(mesh, crease, texture_coordinates)
         entry = {"name": name, "primitives": []}
         for part, attributes, indices in primitives:

@@ -126,6 +126,18 @@ def grid_box(low, high, columns, rows, height=None, part=0, side_part=None):
     return mesh
 
 
+def require_closed(mesh, name):
+    """Every edge must be walked as often one way as the other: no holes, and one winding throughout."""
+    balance = {}
+    for a, b, c, _ in mesh.triangles:
+        for start, end in ((a, b), (b, c), (c, a)):
+            key = (min(start, end), max(start, end))
+            balance[key] = balance.get(key, 0) + (1 if start < end else -1)
+    open_edges = sum(1 for value in balance.values() if value)
+    if open_edges:
+        raise ValueError(f"{name}: {open_edges} edges are open or wound both ways")
+
+
 def face_normals(positions, triangles):
     """Normals scaled by twice the area, (0, 0, 0) for a triangle without one."""
     result = []

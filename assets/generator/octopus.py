@@ -25,7 +25,7 @@ SAND_CELLS = 42
 ARM_MOTIONS = (
     dict(up=(-30, -28, -2, 6, 40, 120, 200), aside=(0, 8, 30, 60, 80, 90, 100), wave=(12, 26), cycles=3, phase=0.00,
          rests=True),
-    dict(up=(35, 48, 30, -20, -50, -20, 60), aside=(0, -6, -20, -42, -60, -80, -110), wave=(17, 20), cycles=3,
+    dict(up=(36, 50, 40, 0, -36, -44, 10), aside=(0, 6, 12, 6, -10, -30, -60), wave=(17, 20), cycles=3,
          phase=0.35, rests=False),
     dict(up=(-28, -30, -4, 2, 6, 20, 50), aside=(0, -10, -28, -10, 40, 110, 190), wave=(8, 26), cycles=4, phase=0.62,
          rests=True),
@@ -173,8 +173,8 @@ def animate(document, body, mantle, tip, arms):
 
 def build():
     document = Document(NAME, DEFAULT_FRAME, FPS, SHUTTER)
-    document.camera("reef", (2.8, 7.6, 9.4), (0.55, 0.45, 0.15), 0.57, 0.1, 60.0)
-    document.camera("eye", (3.4, 4.0, 9.6), (0.0, 1.05, 0.1), 0.36, 0.1, 60.0)
+    document.camera("reef", (2.9, 7.8, 9.7), (0.75, 0.5, 0.15), 0.565, 0.1, 60.0)
+    document.camera("eye", (3.4, 4.4, 9.4), (0.0, 1.25, 0.0), 0.40, 0.1, 60.0)
     document.camera("above", (0.4, 12.5, 4.6), (0.5, 0.0, 0.2), 0.62, 0.1, 60.0)
     document.spot("sun shaft", (-8.0, 9.6, -3.6), (0.6, 0.0, 0.5), (0.96, 0.98, 1.0), 680.0, 0.44, 0.60)
 
@@ -184,7 +184,7 @@ def build():
     eye = document.material("eye", (0.88, 0.66, 0.22), 0.25)
     pupil = document.material("pupil", (0.02, 0.02, 0.025), 0.3)
     sucker = document.material("suckers", (0.95, 0.72, 0.60), 0.5)
-    sand_surface = document.material("sand", (0.80, 0.68, 0.49), 0.95, grains)
+    sand_surface = document.material("sand", (0.95, 0.80, 0.60), 0.95, grains)
 
     floor = document.mesh("sand", sand(), [sand_surface], crease=60.0,
                           texture_coordinates=lambda part, p: (0.35 * p[0], 0.35 * p[2]))

@@ -212,7 +212,7 @@ def add_skin(mesh):
 
 def arm_direction_of(arm, across):
     """Outwards at a column: along the arm over its middle, between two arms at the web's edge."""
-    edge = arm_direction((arm + (0.5 if across > 0.0 else -0.5)))
+    edge = arm_direction(arm + (0.5 if across > 0.0 else -0.5))
     return normalize(mix(arm_direction(arm), edge, abs(across) ** 3))
 
 
@@ -241,7 +241,6 @@ CUP_SIDES = 8
 def add_suckers(mesh, arm):
     s = 0.16
     side, outwards = arm_side(arm), arm_direction(arm)
-    row = 0
     while s < ARM_LENGTH * 0.95:
         size = 0.37 * arm_radius(s)
         # The two rows stand staggered, as they do on the animal.
@@ -252,8 +251,6 @@ def add_suckers(mesh, arm):
             normal = normalize(add(scale(side, math.cos(angle)), (0.0, 1.28 * math.sin(angle), 0.0)))
             add_cup(mesh, foot, normal, outwards, size, arm_influence(arm, place))
         s += 2.5 * size + 0.02
-        row += 1
-    return row
 
 
 def add_cup(mesh, foot, normal, along, size, influence):

@@ -84,15 +84,15 @@ def pillar_place(number):
 
 def build():
     document = Document(NAME, DEFAULT_FRAME, FPS, SHUTTER)
-    document.camera("colonnade", (5.5, 14.2, 19.0), (0.7, 0.6, -0.7), 0.63, 0.1, 90.0)
+    document.camera("colonnade", (5.0, 16.4, 18.4), (0.05, 0.5, -0.7), 0.62, 0.1, 90.0)
     document.camera("above", (1.8, 27.0, 10.0), (1.4, 0.0, -1.2), 0.66, 0.1, 90.0)
     document.camera("between", (15.5, 7.0, 12.5), (0.4, 1.2, -1.0), 0.50, 0.1, 90.0)
-    light = document.spot("rising light", light_position(0), LIGHT_TARGET, (1.0, 0.95, 0.86), 1700.0, 0.80, 0.98)
+    light = document.spot("rising light", light_position(0), LIGHT_TARGET, (1.0, 0.95, 0.86), 1500.0, 0.78, 0.95)
 
     stone = document.texture(mottled(11, (206, 200, 190), (255, 252, 246), 9, 90, 0.35, 128))
     ground = document.texture(mottled(21, (188, 186, 182), (250, 246, 238), 6, 120, 0.5, 128))
-    marble = document.material("marble", (0.86, 0.82, 0.75), 0.55, stone)
-    plane = document.material("limestone floor", (0.62, 0.58, 0.52), 0.9, ground)
+    marble = document.material("marble", (0.96, 0.90, 0.80), 0.55, stone)
+    plane = document.material("limestone floor", (0.88, 0.80, 0.69), 0.9, ground)
 
     floor = document.mesh("floor", grid_box((-24.0, -0.2, -28.0), (16.0, 0.0, 12.0), 24, 24), [plane],
                           texture_coordinates=lambda part, p: (0.25 * p[0], 0.25 * p[2]))

@@ -67,8 +67,10 @@ int layerOf(std::vector<int>& wanted, int image) {
 } // namespace
 
 void GpuMesh::update(const FramePlan& plan) {
-    if (materialsOf_ != plan.materials) uploadMaterials(plan);
-    if (allocatedFor_ != plan.mesh->topology) allocate(plan);
+    const bool newScene = allocatedFor_ != plan.mesh->topology;
+    // Its materials may lie in memory where those of a scene that is gone lay.
+    if (newScene || materialsOf_ != plan.materials) uploadMaterials(plan);
+    if (newScene) allocate(plan);
     if (uploaded_ == plan.texels) return;
     positions_->upload(std::span<const glm::vec4>(plan.texels->positions));
     shading_->upload(std::span<const glm::vec4>(plan.texels->shading));

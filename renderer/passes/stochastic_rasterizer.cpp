@@ -17,11 +17,14 @@ gl::ShaderDefines definesFor(const ViewPlan& view, StochasticRasterizer::Role ro
     return defines;
 }
 
-/// Keeps the buffer while the list fits; grows by half again, since lists change a little every frame.
-void uploadList(std::optional<gl::Buffer>& buffer, const char* label, const std::vector<std::uint32_t>& list) {
+/// Keeps the buffer while the list fits; grows by half again, since lists change a little every frame. True when the
+/// buffer is another one than before: its name does not tell, since drivers give freed names out again.
+bool uploadList(std::optional<gl::Buffer>& buffer, const char* label, const std::vector<std::uint32_t>& list) {
     const std::size_t bytes = list.size() * sizeof(std::uint32_t);
-    if (!buffer || buffer->bytes() < bytes) buffer.emplace(label, bytes + bytes / 2);
+    const bool renewed = !buffer || buffer->bytes() < bytes;
+    if (renewed) buffer.emplace(label, bytes + bytes / 2);
     buffer->upload(std::span<const std::uint32_t>(list));
+    return renewed;
 }
 
 } // namespace
@@ -31,9 +34,8 @@ StochasticRasterizer::StochasticRasterizer(gl::ProgramCache& programs)
 
 void StochasticRasterizer::uploadLists(const ViewPlan& view) {
     uploadList(small_, "small triangles", view.smallTriangles);
-    const GLuint before = large_ ? large_->name() : 0;
-    uploadList(large_, "large triangles", view.largeTriangles);
-    if (large_->name() != before || !largeView_) largeView_ = gl::Texture::ofBuffer("large triangles", GL_R32UI, *large_);
+    if (uploadList(large_, "large triangles", view.largeTriangles))
+        largeView_ = gl::Texture::ofBuffer("large triangles", GL_R32UI, *large_);
 }
 
 void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, Role role, Output output, std::uint32_t strata,

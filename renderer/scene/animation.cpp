@@ -50,7 +50,9 @@ double hermite(double from, double outTangent, double inTangent, double to, doub
            (3.0 * t2 - 2.0 * t3) * to + length * (t3 - t2) * inTangent;
 }
 
-std::vector<double> readTimes(const Model& model, int accessor, const std::string& what) {
+std::shared_ptr<const std::vector<double>> readTimes(const Model& model, int accessor, KeyCache& cache, const std::string& what) {
+    auto& known = cache.times[accessor];
+    if (known) return known;
     const std::vector<float> read = readFloats(model, accessor, 1, Integers::Forbidden, what + " key times");
     std::vector<double> times(read.begin(), read.end());
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -59,7 +61,18 @@ std::vector<double> readTimes(const Model& model, int accessor, const std::strin
         if (i > 0 && times[i] <= times[i - 1])
             throw Error(fmt::format("{}: key times do not increase: {} s after {} s", what, times[i], times[i - 1]));
     }
-    return times;
+    return known = std::make_shared<const std::vector<double>>(std::move(times));
+}
+
+std::shared_ptr<const std::vector<float>> readValues(const Model& model, int accessor, int components, KeyCache& cache,
+                                                     const std::string& what) {
+    auto& known = cache.values[accessor];
+    if (known && model.accessors[static_cast<std::size_t>(accessor)].components == components) return known;
+    // Quantised files store translations and scales as integers too, so all narrow integers are let in.
+    std::vector<float> values = readFloats(model, accessor, components, Integers::Quantized, what + " values");
+    for (const float value : values)
+        if (std::abs(value) > 1e15f) throw Error(fmt::format("{}: a key has the value {}", what, value));
+    return known = std::make_shared<const std::vector<float>>(std::move(values));
 }
 
 std::size_t morphCount(const Model& model, const Node& node) {
@@ -67,24 +80,22 @@ std::size_t morphCount(const Model& model, const Node& node) {
     return model.meshes[static_cast<std::size_t>(node.mesh)].primitives.front().targets.size();
 }
 
-Track readTrack(const Model& model, const AnimationSampler& sampler, const AnimationChannel& channel, const std::string& what) {
+Track readTrack(const Model& model, const AnimationSampler& sampler, const AnimationChannel& channel, KeyCache& cache,
+                const std::string& what) {
     Track track;
     track.node = channel.node;
     track.path = channel.path;
     track.interpolation = sampler.interpolation;
-    track.times = readTimes(model, sampler.input, what);
+    track.times = readTimes(model, sampler.input, cache, what);
     const bool weights = channel.path == TargetPath::Weights;
     track.width = weights ? morphCount(model, model.nodes[static_cast<std::size_t>(channel.node)])
                           : (channel.path == TargetPath::Rotation ? 4u : 3u);
     if (track.width == 0) return track;
-    // Quantised files store translations and scales as integers too, so all narrow integers are let in.
-    track.values = readFloats(model, sampler.output, weights ? 1 : static_cast<int>(track.width), Integers::Quantized, what + " values");
+    track.values = readValues(model, sampler.output, weights ? 1 : static_cast<int>(track.width), cache, what);
     const std::size_t perKey = sampler.interpolation == Interpolation::CubicSpline ? 3 : 1;
-    const std::size_t expected = track.times.size() * perKey * track.width;
-    if (track.values.size() != expected)
-        throw Error(fmt::format("{}: {} numbers for {} keys, expected {}", what, track.values.size(), track.times.size(), expected));
-    for (const float value : track.values)
-        if (std::abs(value) > 1e15f) throw Error(fmt::format("{}: a key has the value {}", what, value));
+    const std::size_t expected = track.times->size() * perKey * track.width;
+    if (track.values->size() != expected)
+        throw Error(fmt::format("{}: {} numbers for {} keys, expected {}", what, track.values->size(), track.times->size(), expected));
     return track;
 }
 
@@ -93,7 +104,7 @@ Track readTrack(const Model& model, const AnimationSampler& sampler, const Anima
 bool Track::holds(std::size_t key) const {
     const bool cubic = interpolation == Interpolation::CubicSpline;
     const std::size_t perKey = cubic ? 3 * width : width;
-    const float* from = values.data() + key * perKey + (cubic ? width : 0);
+    const float* from = values->data() + key * perKey + (cubic ? width : 0);
     if (!std::equal(from, from + width, from + perKey)) return false;
     const auto zero = [](float tangent) { return tangent == 0.0f; };
     return !cubic || (std::all_of(from + width, from + 2 * width, zero) && std::all_of(from + 2 * width, from + 3 * width, zero));
@@ -102,17 +113,17 @@ bool Track::holds(std::size_t key) const {
 void Track::sample(double seconds, double* out) const {
     const bool cubic = interpolation == Interpolation::CubicSpline;
     const std::size_t perKey = cubic ? 3 * width : width;
-    const float* keys = values.data() + (cubic ? width : 0);  // the value itself is the middle of a spline's three
-    const auto after = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), seconds) - times.begin());
+    const float* keys = values->data() + (cubic ? width : 0);  // the value itself is the middle of a spline's three
+    const auto after = static_cast<std::size_t>(std::upper_bound(times->begin(), times->end(), seconds) - times->begin());
     const std::size_t before = after == 0 ? 0 : after - 1;
     const float* from = keys + before * perKey;
 
-    if (after == 0 || after == times.size() || interpolation == Interpolation::Step || holds(before)) {
+    if (after == 0 || after == times->size() || interpolation == Interpolation::Step || holds(before)) {
         std::copy(from, from + width, out);
     } else {
         const float* to = from + perKey;
-        const double length = times[after] - times[before];
-        const double fraction = (seconds - times[before]) / length;
+        const double length = (*times)[after] - (*times)[before];
+        const double fraction = (seconds - (*times)[before]) / length;
         if (cubic) {
             for (std::size_t i = 0; i < width; ++i)
                 out[i] = hermite(static_cast<double>(from[i]), static_cast<double>(from[width + i]),
@@ -127,7 +138,7 @@ void Track::sample(double seconds, double* out) const {
     if (path == TargetPath::Rotation) normaliseRotation(out);
 }
 
-Clip readClip(const Model& model, std::size_t index, std::vector<std::string>& notes) {
+Clip readClip(const Model& model, std::size_t index, KeyCache& cache, std::vector<std::string>& notes) {
     const Animation& animation = model.animations[index];
     Clip clip{animation.name.empty() ? fmt::format("animation_{}", index) : animation.name, {}, 0.0};
     std::size_t skipped = 0;
@@ -137,12 +148,12 @@ Clip readClip(const Model& model, std::size_t index, std::vector<std::string>& n
             continue;
         }
         const std::string what = fmt::format("animation {} (node {})", index, channel.node);
-        Track track = readTrack(model, animation.samplers[static_cast<std::size_t>(channel.sampler)], channel, what);
+        Track track = readTrack(model, animation.samplers[static_cast<std::size_t>(channel.sampler)], channel, cache, what);
         if (track.width == 0) {
             ++skipped;
             continue;
         }
-        clip.duration = std::max(clip.duration, track.times.back());
+        clip.duration = std::max(clip.duration, track.times->back());
         clip.tracks.push_back(std::move(track));
     }
     if (skipped > 0)

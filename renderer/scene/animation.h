@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,8 @@ struct Track {
     TargetPath path = TargetPath::Other;
     Interpolation interpolation = Interpolation::Linear;
     std::size_t width = 0;        ///< numbers per value: 3, 4, or the number of morph weights
-    std::vector<double> times;    ///< seconds, strictly increasing, never empty
-    std::vector<float> values;    ///< width per key; for CubicSpline in-tangent, value, out-tangent per key
+    std::shared_ptr<const std::vector<double>> times;  ///< seconds, strictly increasing, never empty
+    std::shared_ptr<const std::vector<float>> values;  ///< width per key; a spline has in-tangent, value, out-tangent
 
     /// The value at the given time, held before the first and after the last key. Rotations (x, y, z, w) are unit.
     void sample(double seconds, double* out) const;
@@ -34,7 +36,13 @@ struct Clip {
     double duration = 0.0;  ///< the last key of all tracks, seconds
 };
 
+/// Keys by accessor. Channels share accessors, so reading each accessor once bounds memory by the file's size.
+struct KeyCache {
+    std::map<int, std::shared_ptr<const std::vector<double>>> times;
+    std::map<int, std::shared_ptr<const std::vector<float>>> values;
+};
+
 /// Reads one animation and checks all of it. What cannot be played (targets of unknown kind) is left out with a note.
-Clip readClip(const Model& model, std::size_t animation, std::vector<std::string>& notes);
+Clip readClip(const Model& model, std::size_t animation, KeyCache& cache, std::vector<std::string>& notes);
 
 } // namespace timeshade::gltf

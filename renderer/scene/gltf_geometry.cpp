@@ -162,6 +162,8 @@ void spendOnPrimitive(const Model& model, const Primitive& primitive, Budget& bu
     const std::uint64_t vertices = countOf(model, primitive.position);
     const std::uint64_t corners = primitive.indices >= 0 ? countOf(model, primitive.indices) : vertices;
     spend(budget.vertices, vertices, budget, "vertices");
+    // Targets are stored once per mesh, their weights once per node; counted per node this bounds both.
+    for (std::size_t target = 0; target < primitive.targets.size(); ++target) spend(budget.morphs, vertices, budget, "vertices of morph targets");
     spend(budget.triangles, primitive.mode == TriangleList ? corners / 3 : corners, budget, "triangles");
 }
 
@@ -171,11 +173,12 @@ std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget bud
     std::vector<std::size_t> uses(model.meshes.size(), 0);
     std::vector<std::size_t> jointCounts(model.meshes.size(), 0);  // the fewest of the skins that deform a mesh
     for (const Node& node : model.nodes) {
-        if (!node.inScene || node.mesh < 0) continue;
+        if (node.mesh < 0) continue;
         const auto mesh = static_cast<std::size_t>(node.mesh);
-        ++uses[mesh];
         for (const Primitive& primitive : model.meshes[mesh].primitives)
-            if (drawable(primitive)) spendOnPrimitive(model, primitive, budget);
+            if (primitive.position >= 0) spendOnPrimitive(model, primitive, budget);
+        if (!node.inScene) continue;
+        ++uses[mesh];
         if (node.skin < 0) continue;
         const std::size_t joints = model.skins[static_cast<std::size_t>(node.skin)].joints.size();
         jointCounts[mesh] = jointCounts[mesh] == 0 ? joints : std::min(jointCounts[mesh], joints);

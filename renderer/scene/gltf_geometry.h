@@ -12,6 +12,7 @@ struct Budget {
     std::size_t most = 0;  ///< vertices, and triangles, of all instances together
     std::size_t vertices = 0;
     std::size_t triangles = 0;
+    std::size_t morphs = 0;  ///< vertices of morph targets
 };
 
 /// Reads the primitives of every mesh that a node of the shown scene uses; other meshes stay empty.

@@ -102,16 +102,19 @@ Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>
     ImageShelf shelf(model, files, notes);
     Looks looks;
     std::size_t otherCoordinates = 0;
+    std::size_t transparent = 0;
     for (const MaterialSource& source : model.materials) {
         looks.materials.push_back(source.material);
         looks.materials.back().baseColorImage = shelf.indexOf(source.baseColorTexture);
         looks.materials.back().metallicRoughnessImage = shelf.indexOf(source.metallicRoughnessTexture);
         if (source.otherCoordinates) ++otherCoordinates;
+        if (source.transparent) ++transparent;
     }
     looks.materials.emplace_back().name = "default";
     looks.images = std::move(shelf.images);
     if (otherCoordinates > 0)
         notes.push_back(fmt::format("{} materials use other texture coordinates than TEXCOORD_0 as it is; they get those", otherCoordinates));
+    if (transparent > 0) notes.push_back(fmt::format("{} transparent materials are drawn opaque", transparent));
     return looks;
 }
 

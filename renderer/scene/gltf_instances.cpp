@@ -28,20 +28,27 @@ std::vector<SkinBinding> readSkins(const Model& model) {
     return skins;
 }
 
-/// Whether most of what places the instance mirrors it.
-bool mirrored(const Instance& instance, const Stage& stage, const Pose& rest) {
-    if (instance.skin < 0) return glm::determinant(glm::dmat3(rest.worldFromNode[static_cast<std::size_t>(instance.node)])) < 0.0;
-    int balance = 0;
-    for (const glm::dmat4x3& joint : jointMatrices(stage.skins[static_cast<std::size_t>(instance.skin)], rest))
-        balance += glm::dot(joint[0], glm::cross(joint[1], joint[2])) < 0.0 ? 1 : -1;
-    return balance > 0;
+/// What is the same for every instance of a skin; found once, since files may use a skin many times.
+struct SkinFacts {
+    bool mirrored = false;  ///< most joints mirror
+    bool moves = false;
+    bool used = false;
+};
+
+std::vector<SkinFacts> factsOf(const std::vector<SkinBinding>& skins, const NodeMotion& motion) {
+    std::vector<SkinFacts> facts;
+    for (const SkinBinding& skin : skins) {
+        int balance = 0;
+        for (const glm::dmat4x3& joint : jointMatrices(skin, motion.rest()))
+            balance += glm::dot(joint[0], glm::cross(joint[1], joint[2])) < 0.0 ? 1 : -1;
+        const bool moves = std::any_of(skin.joints.begin(), skin.joints.end(), [&](int joint) { return motion.moves(joint); });
+        facts.push_back({balance > 0, moves, false});
+    }
+    return facts;
 }
 
-bool moves(const Instance& instance, const Stage& stage, const NodeMotion& motion) {
-    if (motion.morphs(instance.node) || motion.moves(instance.node)) return true;
-    if (instance.skin < 0) return false;
-    const std::vector<int>& joints = stage.skins[static_cast<std::size_t>(instance.skin)].joints;
-    return std::any_of(joints.begin(), joints.end(), [&](int joint) { return motion.moves(joint); });
+bool mirrors(const NodeMotion& motion, int node) {
+    return glm::determinant(glm::dmat3(motion.rest().worldFromNode[static_cast<std::size_t>(node)])) < 0.0;
 }
 
 void appendTopology(MeshTopology& topology, std::vector<char>& used, const Instance& instance, bool flip, std::uint32_t material,
@@ -60,13 +67,12 @@ void appendTopology(MeshTopology& topology, std::vector<char>& used, const Insta
     topology.vertexCount += geometry.positions.size();
 }
 
-std::vector<int> turningNodes(const Stage& stage, const NodeMotion& motion) {
+std::vector<int> turningNodes(const Stage& stage, const std::vector<SkinFacts>& facts, const NodeMotion& motion) {
     std::vector<int> nodes;
-    for (const Instance& instance : stage.instances) {
+    for (const Instance& instance : stage.instances)
         if (instance.skin < 0) nodes.push_back(instance.node);
-        else
-            for (const int joint : stage.skins[static_cast<std::size_t>(instance.skin)].joints) nodes.push_back(joint);
-    }
+    for (std::size_t s = 0; s < facts.size(); ++s)
+        if (facts[s].used) nodes.insert(nodes.end(), stage.skins[s].joints.begin(), stage.skins[s].joints.end());
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     std::erase_if(nodes, [&](int node) { return !motion.moves(node); });
@@ -80,6 +86,7 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
     Stage stage;
     stage.geometries = std::move(geometries);
     stage.skins = readSkins(model);
+    std::vector<SkinFacts> facts = factsOf(stage.skins, motion);
     auto topology = std::make_shared<MeshTopology>();
     std::size_t flipped = 0;
     std::uint32_t number = 0;  // all primitives of a node are one instance to the rest of the program
@@ -88,9 +95,12 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
         if (!node.inScene || node.mesh < 0 || stage.geometries[static_cast<std::size_t>(node.mesh)].empty()) continue;
         bool anyFlipped = false;
         for (const Geometry& geometry : stage.geometries[static_cast<std::size_t>(node.mesh)]) {
-            Instance instance{&geometry, static_cast<int>(n), geometry.jointSets.empty() ? -1 : node.skin, topology->vertexCount, false};
-            instance.moves = moves(instance, stage, motion);
-            const bool flip = mirrored(instance, stage, motion.rest());
+            const int index = static_cast<int>(n);
+            Instance instance{&geometry, index, geometry.jointSets.empty() ? -1 : node.skin, topology->vertexCount, false};
+            SkinFacts* skin = instance.skin < 0 ? nullptr : &facts[static_cast<std::size_t>(instance.skin)];
+            if (skin != nullptr) skin->used = true;
+            instance.moves = motion.morphs(index) || motion.moves(index) || (skin != nullptr && skin->moves);
+            const bool flip = skin != nullptr ? skin->mirrored : mirrors(motion, index);
             anyFlipped = anyFlipped || flip;
             const std::uint32_t material = geometry.material < 0 ? defaultMaterial : static_cast<std::uint32_t>(geometry.material);
             appendTopology(*topology, stage.used, instance, flip, material, number);
@@ -103,7 +113,7 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
     if (flipped > 0) notes.push_back(fmt::format("{} mirrored instances have their triangles turned round", flipped));
     topology->instanceCount = number;
     stage.topology = std::move(topology);
-    stage.turningNodes = turningNodes(stage, motion);
+    stage.turningNodes = turningNodes(stage, facts, motion);
     return stage;
 }
 

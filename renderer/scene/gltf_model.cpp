@@ -165,6 +165,7 @@ MaterialSource convert(const tinygltf::Material& from, std::size_t index) {
     to.material.metallicFactor = unit(pbr.metallicFactor, 1.0);
     to.material.roughnessFactor = unit(pbr.roughnessFactor, 1.0);
     to.material.doubleSided = from.doubleSided;
+    to.transparent = from.alphaMode != "OPAQUE";
     to.baseColorTexture = pbr.baseColorTexture.index;
     to.metallicRoughnessTexture = pbr.metallicRoughnessTexture.index;
     for (const auto* texture : {&pbr.baseColorTexture, &pbr.metallicRoughnessTexture})

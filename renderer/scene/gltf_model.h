@@ -138,6 +138,7 @@ struct MaterialSource {
     Material material;
     int baseColorTexture = -1;
     int metallicRoughnessTexture = -1;
+    bool transparent = false;       ///< blended or cut out; drawn opaque
     bool otherCoordinates = false;  ///< a texture asks for coordinates that are not read, or for a transform
 };
 

@@ -45,23 +45,32 @@ class GltfScene final : public Scene {
   public:
     GltfScene(std::string name, const Model& model, NodeMotion motion, Stage stage, Looks looks, std::vector<std::string> notes)
         : name_(std::move(name)), motion_(std::move(motion)), stage_(std::move(stage)), looks_(std::move(looks)),
-          notes_(std::move(notes)), clock_(motion_.clip().duration, false) {
+          notes_(std::move(notes)), clock_(0.0, true) {
         positions_.resize(stage_.topology->vertexCount);
         normals_.resize(stage_.topology->vertexCount);
         deformInstances(stage_, motion_.rest(), false, positions_, normals_);
         moves_ = std::any_of(stage_.instances.begin(), stage_.instances.end(), [](const Instance& i) { return i.moves; });
         measure();
         views_ = readViews(model, bounds_, notes_);
-        clock_ = ClipClock(motion_.clip().duration, loops());
+        const auto moving = [&](int node) { return node >= 0 && motion_.moves(node); };
+        const bool viewsMove = moving(views_.light.node) || std::any_of(views_.cameras.begin(), views_.cameras.end(),
+                                                                        [&](const PlacedCamera& c) { return moving(c.node); });
+        duration_ = moves_ || viewsMove ? motion_.clip().duration : 0.0;
+        clock_ = ClipClock(duration_, loops());
     }
 
     void setDefaults(const SceneDefaults& defaults, std::vector<std::string> notes) {
+        constexpr std::size_t most = 40;
         defaults_ = defaults;
         notes_.insert(notes_.end(), notes.begin(), notes.end());
+        if (notes_.size() <= most) return;
+        const std::size_t more = notes_.size() - most;
+        notes_.resize(most);
+        notes_.push_back(fmt::format("{} more notes like these", more));
     }
 
     const std::string& name() const override { return name_; }
-    double duration() const override { return motion_.clip().tracks.empty() ? 0.0 : motion_.clip().duration; }
+    double duration() const override { return duration_; }
     const SceneDefaults& defaults() const override { return defaults_; }
     const std::vector<Material>& materials() const override { return looks_.materials; }
     const std::vector<Image>& images() const override { return looks_.images; }
@@ -69,16 +78,23 @@ class GltfScene final : public Scene {
     const Bounds& bounds() const override { return bounds_; }
     const std::vector<std::string>& notes() const override { return notes_; }
 
-    CameraPose camera(std::size_t index, double seconds) const override { return cameraAt(index, clock_.wrapped(seconds)); }
-    LightPose light(double seconds) const override { return lightAt(clock_.wrapped(seconds)); }
+    CameraPose camera(std::size_t index, double seconds) const override {
+        const PlacedCamera& camera = views_.cameras.at(index);
+        return camera.node < 0 ? camera.pose : placedCamera(camera, motion_.worldFromNode(camera.node, clock_.wrapped(seconds)));
+    }
+    LightPose light(double seconds) const override {
+        const PlacedLight& light = views_.light;
+        return light.node < 0 ? light.pose : placedLight(motion_.worldFromNode(light.node, clock_.wrapped(seconds)));
+    }
     double heldCloseSeconds(double openSeconds, double closeSeconds) const override {
         return clock_.heldClose(openSeconds, closeSeconds);
     }
     MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
 
   private:
-    CameraPose cameraAt(std::size_t index, double clipSeconds) const;
-    LightPose lightAt(double clipSeconds) const;
+    CameraPose placedCamera(const PlacedCamera& camera, const glm::dmat4& worldFromNode) const;
+    LightPose placedLight(const glm::dmat4& worldFromNode) const;
+    bool viewsLoop(const Pose& start, const Pose& end) const;
     void measure();
     bool loops() const;
 
@@ -91,25 +107,21 @@ class GltfScene final : public Scene {
     Views views_;
     SceneDefaults defaults_;
     Bounds bounds_;
-    bool moves_ = false;
+    double duration_ = 0.0;
+    bool moves_ = false;  ///< some triangle does
     std::vector<glm::dvec3> positions_;  ///< of instances that never move; the others' entries are scratch
     std::vector<glm::vec3> normals_;
 };
 
-CameraPose GltfScene::cameraAt(std::size_t index, double clipSeconds) const {
-    const PlacedCamera& camera = views_.cameras.at(index);
+CameraPose GltfScene::placedCamera(const PlacedCamera& camera, const glm::dmat4& worldFromNode) const {
     CameraPose pose = camera.pose;
-    if (camera.node < 0) return pose;
-    const glm::dmat4 worldFromNode = motion_.worldFromNode(camera.node, clipSeconds);
     pose.eye = glm::dvec3(worldFromNode[3]);
     pose.axes = rotationOf(worldFromNode);
     return pose;
 }
 
-LightPose GltfScene::lightAt(double clipSeconds) const {
+LightPose GltfScene::placedLight(const glm::dmat4& worldFromNode) const {
     LightPose pose = views_.light.pose;
-    if (views_.light.node < 0) return pose;
-    const glm::dmat4 worldFromNode = motion_.worldFromNode(views_.light.node, clipSeconds);
     pose.position = glm::dvec3(worldFromNode[3]);
     pose.axes = rotationOf(worldFromNode);
     if (views_.light.aimed) {
@@ -139,31 +151,41 @@ void GltfScene::measure() {
     if (!(bounds_.diagonal() > 1e-12)) throw Error("all its triangles together have no size");
 }
 
+/// Closeness, at the seam of a loop, in shares of the scene's extent: exporters round the last key.
+constexpr double seamTolerance = 1e-4;
+
+bool GltfScene::viewsLoop(const Pose& start, const Pose& end) const {
+    const auto same = [&](const glm::dvec3& eye, const glm::dmat3& axes, const glm::dvec3& otherEye, const glm::dmat3& otherAxes) {
+        double difference = glm::length(eye - otherEye) / bounds_.diagonal();
+        for (int axis = 0; axis < 3; ++axis) difference = std::max(difference, glm::length(axes[axis] - otherAxes[axis]));
+        return difference <= seamTolerance;
+    };
+    for (const PlacedCamera& camera : views_.cameras) {
+        if (camera.node < 0) continue;
+        const CameraPose a = placedCamera(camera, start.worldFromNode[static_cast<std::size_t>(camera.node)]);
+        const CameraPose b = placedCamera(camera, end.worldFromNode[static_cast<std::size_t>(camera.node)]);
+        if (!same(a.eye, a.axes, b.eye, b.axes)) return false;
+    }
+    if (views_.light.node < 0) return true;
+    const LightPose a = placedLight(start.worldFromNode[static_cast<std::size_t>(views_.light.node)]);
+    const LightPose b = placedLight(end.worldFromNode[static_cast<std::size_t>(views_.light.node)]);
+    return same(a.position, a.axes, b.position, b.axes);
+}
+
 /// Whether the end of the clip shows what its start shows.
 bool GltfScene::loops() const {
-    constexpr double tolerance = 1e-4;  // of the extent: exporters round the last key
-    const double duration = motion_.clip().duration;
-    if (!(duration > 0.0)) return true;
-    const double extent = bounds_.diagonal();
-    const auto near = [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) <= tolerance * extent; };
-
-    for (std::size_t i = 0; i < views_.cameras.size(); ++i) {
-        const CameraPose start = cameraAt(i, 0.0);
-        const CameraPose end = cameraAt(i, duration);
-        if (!near(start.eye, end.eye) || !near(extent * start.axes[2], extent * end.axes[2])) return false;
-    }
-    const LightPose start = lightAt(0.0);
-    const LightPose end = lightAt(duration);
-    if (!near(start.position, end.position) || !near(extent * start.axes[2], extent * end.axes[2])) return false;
+    if (!(duration_ > 0.0)) return true;
+    const Pose start = motion_.at(0.0);
+    const Pose end = motion_.at(duration_);
+    if (!viewsLoop(start, end)) return false;
     if (!moves_) return true;
-
     std::vector<glm::dvec3> atStart = positions_;
     std::vector<glm::dvec3> atEnd = positions_;
     std::vector<glm::vec3> normals = normals_;
-    deformInstances(stage_, motion_.at(0.0), true, atStart, normals);
-    deformInstances(stage_, motion_.at(duration), true, atEnd, normals);
+    deformInstances(stage_, start, true, atStart, normals);
+    deformInstances(stage_, end, true, atEnd, normals);
     for (std::size_t v = 0; v < atStart.size(); ++v)
-        if (!near(atStart[v], atEnd[v])) return false;
+        if (stage_.used[v] && glm::length(atStart[v] - atEnd[v]) > seamTolerance * bounds_.diagonal()) return false;
     return true;
 }
 
@@ -182,8 +204,9 @@ MotionMesh GltfScene::motionMesh(double openSeconds, double closeSeconds) const 
 
 Clip chooseClip(const Model& model, const std::string& wanted, std::vector<std::string>& notes) {
     std::vector<Clip> clips;
+    KeyCache cache;
     std::vector<std::vector<std::string>> clipNotes(model.animations.size());
-    for (std::size_t i = 0; i < model.animations.size(); ++i) clips.push_back(readClip(model, i, clipNotes[i]));
+    for (std::size_t i = 0; i < model.animations.size(); ++i) clips.push_back(readClip(model, i, cache, clipNotes[i]));
     std::size_t chosen = 0;
     if (!wanted.empty()) {
         std::vector<std::string> names;

@@ -9,7 +9,7 @@
 namespace timeshade {
 
 struct GltfOptions {
-    std::string clip;  ///< name of the animation to play; empty for the first
+    std::string clip{};  ///< name of the animation to play; empty for the first
     /// Files that would need more than this many triangles, vertices or bytes of buffers are refused by name.
     std::size_t maxTriangles = 20'000'000;
     std::size_t maxBufferBytes = std::size_t{2} << 30;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -16,11 +17,19 @@ namespace {
 constexpr double widestCone = 1.48;      // 85 degrees: see LightPose
 constexpr double pointLightCone = 1.396;  // 80 degrees
 
-std::string unused(const std::string& wanted, std::set<std::string>& taken) {
-    std::string name = wanted;
-    for (int copy = 2; !taken.insert(name).second; ++copy) name = fmt::format("{} {}", wanted, copy);
-    return name;
-}
+/// Gives every camera a name of its own: "eye", "eye 2", "eye 3", ...
+class NameList {
+  public:
+    std::string unused(const std::string& wanted) {
+        std::string name = wanted;
+        while (!taken_.insert(name).second) name = fmt::format("{} {}", wanted, ++copies_[wanted] + 1);
+        return name;
+    }
+
+  private:
+    std::set<std::string> taken_;
+    std::map<std::string, int> copies_;
+};
 
 CameraPose cameraPose(const Camera& camera, const std::string& name, const Bounds& bounds, std::vector<std::string>& notes) {
     CameraPose pose = fittedCamera(bounds);
@@ -35,7 +44,7 @@ CameraPose cameraPose(const Camera& camera, const std::string& name, const Bound
 }
 
 void readCameras(const Model& model, const Bounds& bounds, Views& views, std::vector<std::string>& notes) {
-    std::set<std::string> taken;
+    NameList list;
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const Node& node = model.nodes[n];
         if (!node.inScene || node.camera < 0) continue;
@@ -47,7 +56,7 @@ void readCameras(const Model& model, const Bounds& bounds, Views& views, std::ve
             notes.push_back(fmt::format("camera \"{}\" is orthographic and is left out", wanted));
             continue;
         }
-        views.names.push_back({unused(wanted, taken)});
+        views.names.push_back({list.unused(wanted)});
         views.cameras.push_back({static_cast<int>(n), cameraPose(camera, wanted, bounds, notes)});
     }
     if (!views.cameras.empty()) return;

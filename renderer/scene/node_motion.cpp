@@ -152,6 +152,7 @@ glm::dmat4 NodeMotion::worldFromNode(int node, double clipSeconds) const {
 }
 
 double NodeMotion::largestTurnDegrees(const std::vector<int>& nodes, const std::vector<double>& clipSeconds) const {
+    if (nodes.empty()) return 0.0;
     std::vector<double> turns(nodes.size(), 0.0);
     std::vector<glm::dmat3> before(nodes.size());
     for (std::size_t step = 0; step < clipSeconds.size(); ++step) {
@@ -162,7 +163,7 @@ double NodeMotion::largestTurnDegrees(const std::vector<int>& nodes, const std::
             before[i] = rotation;
         }
     }
-    return turns.empty() ? 0.0 : *std::max_element(turns.begin(), turns.end()) * 57.29577951308232;
+    return *std::max_element(turns.begin(), turns.end()) * 57.29577951308232;
 }
 
 } // namespace timeshade::gltf

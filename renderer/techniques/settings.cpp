@@ -1,8 +1,8 @@
 #include "techniques/settings.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include <fmt/format.h>
@@ -21,9 +21,9 @@ class Collector final : public SettingsVisitor {
 };
 
 std::optional<double> parseNumber(const std::string& text) {
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+    double number = 0.0;  // from_chars: no leading blanks, no hexadecimal, the same in every locale
+    const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc{} || rest != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
     return number;
 }
 

@@ -21,6 +21,17 @@ SHARED_FUNCTION uvec3 hashWords(uvec3 v) {
     return v;
 }
 
+/// One well mixed word out of one: multiply and fold twice, with the constants of Wellons' search for low-bias 32-bit
+/// mixers (2018).
+SHARED_FUNCTION uint hashWord(uint x) {
+    x ^= x >> 16u;
+    x *= 0x7feb352du;
+    x ^= x >> 15u;
+    x *= 0x846ca68bu;
+    x ^= x >> 16u;
+    return x;
+}
+
 /// A word as a number in [0, 1): its upper 24 bits, exactly.
 SHARED_FUNCTION float unitInterval(uint word) { return float(word >> 8u) * SHARED_FLOAT(5.9604644775390625e-8); }
 

@@ -9,13 +9,14 @@ SHARED_BEGIN
 #define SALT_LIGHT  0x9e3779b9u
 
 /// x, y: position inside the pixel, in [0, 1). z: position inside the stratum of time, in [0, 1).
-/// Per pixel a random shift (Cranley and Patterson 1976), over k an additive recurrence: the two irrational steps of
-/// the plane's R2 sequence for x and y (1/g and 1/g^2 with g^3 = g + 1) and the golden ratio for z. So the samples
-/// of one pixel are spread evenly in space, one lies in every stratum of time, and pixels are independent.
+/// x, y: per pixel a random shift (Cranley and Patterson 1976), over k an additive recurrence, the plane's R2 sequence
+/// (steps 1/g and 1/g^2 with g^3 = g + 1). z: independent per pixel and stratum, as plain stratified sampling wants it: a
+/// recurrence over k would tie strata to each other (a golden-ratio step all but repeats after 13).
+/// So one sample lies in every stratum of time, a pixel's samples are spread evenly in space, and pixels are independent.
 SHARED_FUNCTION vec3 samplePattern(uvec2 pixel, uint k, uint seed, uint salt) {
     uvec3 shift = hashWords(uvec3(pixel.x, pixel.y, seed ^ salt));
     return vec3(unitInterval(shift.x + k * 0xc13fa9a9u), unitInterval(shift.y + k * 0x91e10da5u),
-                unitInterval(shift.z + k * 0x9e3779b9u));
+                unitInterval(hashWord(shift.z + k * 0x9e3779b9u)));
 }
 
 /// Shutter time of the sample in stratum k: u = base + (k + xi) * scale. With base 0 and scale 1/N these are the

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plan/frame_request.h"
+#include "scene/scene.h"
+
+namespace timeshade {
+
+/// A rectangle or any quadrilateral in world space, at both ends of the shutter. Corners go around.
+struct MovingQuad {
+    glm::dvec3 open[4];
+    glm::dvec3 close[4];
+};
+
+/// The rectangle [centre.x - halfX, centre.x + halfX] x [lowY, highY] at height centre.z, moving from a to b.
+MovingQuad slidingQuad(glm::dvec3 a, glm::dvec3 b, double halfX, double lowY, double highY);
+
+/// A scene made of quads with known motion, for tests with exact answers. One second of its time is one shutter:
+/// ask for it with frames per second 1, shutter 1, frame 0.
+class ProceduralScene final : public Scene {
+  public:
+    std::vector<MovingQuad> quads;
+    CameraPose cameraOpen, cameraClose;
+    LightPose lightOpen, lightClose;
+
+    /// Call when the members above are set.
+    void finish();
+    /// The request that opens the shutter at u = 0 and closes it at u = 1.
+    static FrameRequest request(int width, int height, int samplesPerPixel, int mapSize, std::uint32_t seed);
+
+    const std::string& name() const override { return name_; }
+    double duration() const override { return 1.0; }
+    const SceneDefaults& defaults() const override { return defaults_; }
+    const std::vector<Material>& materials() const override { return materials_; }
+    const std::vector<Image>& images() const override { return images_; }
+    const std::vector<CameraBookmark>& cameras() const override { return cameras_; }
+    CameraPose camera(std::size_t, double seconds) const override;
+    LightPose light(double seconds) const override;
+    MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
+    const Bounds& bounds() const override { return bounds_; }
+    const std::vector<std::string>& notes() const override { return notes_; }
+
+  private:
+    std::string name_ = "procedural";
+    SceneDefaults defaults_{0.0, 1.0, 1.0};
+    std::vector<Material> materials_{Material{}};
+    std::vector<Image> images_;
+    std::vector<CameraBookmark> cameras_{{"only"}};
+    std::vector<std::string> notes_;
+    Bounds bounds_;
+    std::shared_ptr<const MeshTopology> topology_;
+};
+
+} // namespace timeshade

@@ -1,0 +1,195 @@
+// Every registered technique on scenes whose lit share is known exactly: the mean over many samples must agree within
+// what sampling theory and the map's resolution allow, and where a technique must fail, it must fail by as much as theory says.
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "closed_form_cases.h"
+#include "support/gl_environment.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr int width = 12, height = 384;
+
+struct Measurement {
+    double mean = 0.0;
+    std::vector<double> pixels;  ///< mean over each pixel's samples
+};
+
+Measurement measure(Scene& scene, Technique& technique, int samplesPerPixel, int mapSize, std::uint32_t seed) {
+    FrameRenderer& renderer = sharedRenderer();
+    FramePlanner planner(scene);
+    renderer.draw(planner.plan(ProceduralScene::request(width, height, samplesPerPixel, mapSize, seed)), technique, View::Visibility);
+    Measurement m;
+    const LinearImage image = renderer.readRadiance();
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) m.pixels.push_back(static_cast<double>(image.rgb[i]));
+    m.mean = std::accumulate(m.pixels.begin(), m.pixels.end(), 0.0) / static_cast<double>(m.pixels.size());
+    return m;
+}
+
+/// Time and space are sampled at random: four standard errors of the mean. TSM's texels are shared by the pixels that see
+/// them, so the independent samples are those of the map column that the picture covers, one per texel and stratum.
+double samplingTolerance(double share, int strata, double independentColumns) {
+    return 4.0 * std::sqrt(share * (1.0 - share) / (strata * independentColumns));
+}
+
+/// Lit share of the ends' tolerance for the given map: each end may be off by half a texel.
+double mapTolerance(const ClosedFormCase& c, int mapSize) { return 0.5 * c.ends * c.texelShare * 1024.0 / mapSize; }
+
+double rootMeanSquare(const std::vector<double>& values, double exact) {
+    double sum = 0.0;
+    for (const double value : values) sum += (value - exact) * (value - exact);
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// Slope of log(error) over log(effort), by least squares.
+double slope(const std::vector<double>& effort, const std::vector<double>& error) {
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    const auto n = static_cast<double>(effort.size());
+    for (std::size_t i = 0; i < effort.size(); ++i) {
+        const double x = std::log(effort[i]), y = std::log(error[i]);
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+using Parameters = std::tuple<std::string, std::string>;
+class ClosedForm : public testing::TestWithParam<Parameters> {};
+
+TEST_P(ClosedForm, LitShare) {
+    const auto& [techniqueName, caseName] = GetParam();
+    const ClosedFormCase& c = closedFormCase(caseName);
+    const std::unique_ptr<Technique> technique = makeTechnique(techniqueName, sharedRenderer().programs());
+    const int strata = 8, mapSize = 1024, renders = 128;
+    const bool bruteForce = techniqueName == "accumulation";
+    if (bruteForce) setFromText(*technique, "renders", "128");
+    if (caseName == "approaching_self") setFromText(*technique, "bias", techniqueName == "tsm" ? "0" : "0.5");
+
+    const Measurement m = measure(*c.scene, *technique, strata, mapSize, 7);
+    for (const std::string& name : c.undetermined)
+        if (name == techniqueName) {
+            EXPECT_GE(m.mean, 0.0);
+            EXPECT_LE(m.mean, 1.0);
+            return;
+        }
+    const auto failure = c.predictedFailures.find(techniqueName);
+    const double expected = failure == c.predictedFailures.end() ? c.exact : failure->second;
+    // The receiver column spans 1.4 units of z = 0: so many texels of the map.
+    const double columns = 1.4 / (10.0 * 2.0 * std::tan(0.62)) * mapSize;
+    double tolerance = mapTolerance(c, mapSize) + 1e-6;
+    if (bruteForce) tolerance += 0.5 * c.ends / renders;  // an end lies between two instants
+    if (techniqueName == "tsm") tolerance += samplingTolerance(expected, strata, columns);
+    if (techniqueName == "static" && failure != c.predictedFailures.end()) tolerance = 1e-6;  // one instant: all or nothing
+    EXPECT_NEAR(m.mean, expected, tolerance) << "exact lit share " << c.exact;
+    for (const double pixel : m.pixels) {
+        ASSERT_TRUE(std::isfinite(pixel));
+        ASSERT_GE(pixel, -1e-6);
+        ASSERT_LE(pixel, 1.0 + 1e-6);
+    }
+}
+
+std::vector<std::string> techniqueNames() {
+    std::vector<std::string> names;
+    for (const TechniqueDescription& description : techniqueDescriptions()) names.push_back(description.name);
+    return names;
+}
+
+std::vector<std::string> caseNames() {
+    std::vector<std::string> names;
+    for (const ClosedFormCase& c : closedFormCases()) names.push_back(c.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTechniques, ClosedForm,
+                         testing::Combine(testing::ValuesIn(techniqueNames()), testing::ValuesIn(caseNames())),
+                         [](const testing::TestParamInfo<Parameters>& test) {
+                             return std::get<0>(test.param) + "_" + std::get<1>(test.param);
+                         });
+
+/// TSM answers a stratum that a shadow's end splits into f and 1 - f by a coin: the variance of a pixel is the sum of
+/// f (1 - f) over the ends, divided by N^2. The error therefore falls with slope -1, and is known before it is measured.
+TEST(Convergence, TsmFollowsStratifiedSampling) {
+    const ClosedFormCase& c = closedFormCase("quad_sweeps_point");
+    const std::unique_ptr<Technique> technique = makeTechnique("tsm", sharedRenderer().programs());
+    std::vector<double> effort, error;
+    for (const int strata : {2, 4, 8, 16, 32}) {
+        std::vector<double> pixels;
+        for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+            const Measurement m = measure(*c.scene, *technique, strata, 1024, seed);
+            pixels.insert(pixels.end(), m.pixels.begin(), m.pixels.end());
+        }
+        double variance = 0.0;
+        for (const double end : {0.3, 0.7}) {
+            const double f = end * strata - std::floor(end * strata);
+            variance += f * (1.0 - f);
+        }
+        effort.push_back(strata);
+        error.push_back(rootMeanSquare(pixels, c.exact));
+        // The caster's time is random within the stratum and so decides; the map's half texel widens it a little.
+        EXPECT_NEAR(error.back(), std::sqrt(variance) / strata, 0.12 * std::sqrt(variance) / strata + mapTolerance(c, 1024)) << strata << " strata";
+    }
+    EXPECT_NEAR(slope(effort, error), -1.0, 0.12);
+}
+
+/// Brute force looks at M evenly spaced instants: each end of an interval is off by at most 1 / (2M), slope -1.
+TEST(Convergence, AccumulationFallsAsOneOverRenders) {
+    const std::unique_ptr<Technique> technique = makeTechnique("accumulation", sharedRenderer().programs());
+    std::vector<double> effort, error;
+    for (const int renders : {4, 8, 16, 32, 64}) {
+        setFromText(*technique, "renders", std::to_string(renders));
+        std::vector<double> means;
+        // Shifts that no power of two divides, so that the ends fall anywhere between two instants.
+        for (int i = 0; i < 7; ++i) means.push_back(measure(*sweptPointScene(-0.43 + 0.137 * i), *technique, 1, 1024, 1).mean);
+        effort.push_back(renders);
+        error.push_back(rootMeanSquare(means, 0.6));
+        for (const double mean : means) EXPECT_NEAR(mean, 0.6, 1.0 / renders + mapTolerance(closedFormCase("quad_sweeps_point"), 1024));
+    }
+    EXPECT_NEAR(slope(effort, error), -1.0, 0.35);
+}
+
+/// Row 9 with a bias: a receiver that approaches the light by v per shutter is in its own shadow on
+/// 1/2 (1 - b N / v)^2 of the samples, b being the bias in world units; none where b N >= v.
+TEST(PredictedFailure, TsmSelfShadowFollowsItsFormula) {
+    const ClosedFormCase& c = closedFormCase("approaching_self");
+    const std::unique_ptr<Technique> technique = makeTechnique("tsm", sharedRenderer().programs());
+    const double speed = 8.0;
+    for (const int strata : {4, 16}) {
+        for (const char* bias : {"0", "8", "32"}) {
+            setFromText(*technique, "bias", bias);
+            double shadow = 0.0;
+            for (int k = 0; k < strata; ++k) {
+                const double distance = 9.0 - speed * (k + 0.5) / strata;  // from the light, mid-stratum
+                const double world = std::stod(bias) * distance * 2.0 * std::tan(0.62) / 1024.0;
+                const double free = std::max(0.0, 1.0 - world * strata / speed);
+                shadow += 0.5 * free * free / strata;
+            }
+            const Measurement m = measure(*c.scene, *technique, strata, 1024, 3);
+            // Independent texels: the receiver is 0.7 tall, and at its farthest covers the fewest.
+            const double columns = 0.7 / (9.0 * 2.0 * std::tan(0.62)) * 1024;
+            EXPECT_NEAR(m.mean, 1.0 - shadow, samplingTolerance(0.5, strata, columns) + 0.01) << strata << " strata, bias " << bias;
+        }
+    }
+}
+
+/// Equation 12 of Andersson et al. 2015 moves the map's depth to the receiver's time: nothing is left of the self-shadow.
+TEST(PredictedFailure, DynamicBiasEndsTheSelfShadow) {
+    const ClosedFormCase& c = closedFormCase("approaching_self");
+    const std::unique_ptr<Technique> technique = makeTechnique("tsm", sharedRenderer().programs());
+    setFromText(*technique, "dynamic_bias", "on");
+    EXPECT_NEAR(measure(*c.scene, *technique, 8, 1024, 3).mean, 1.0, 1e-6);
+    // And casts a real shadow as before.
+    const ClosedFormCase& swept = closedFormCase("quad_sweeps_point");
+    EXPECT_NEAR(measure(*swept.scene, *technique, 8, 1024, 3).mean, 0.6, 0.02);
+}
+
+} // namespace
+
+} // namespace timeshade
