@@ -106,8 +106,10 @@ std::vector<std::string> argumentsOfFile(const std::string& path) {
         } else if (key == "settings" || key == "help") {
             throw Error(fmt::format("{}: \"{}\" is not a setting; expected options that say what to draw", path, key));
         } else if (value.is_primitive() && !value.is_null()) {
-            // Joined, so that a switch's value is not taken for the scene, nor a negative number for an option.
-            arguments.push_back("--" + key + "=" + text(value));
+            // Joined, so that a switch's value is not taken for the scene, nor a negative number for an option. But
+            // CLI11 goes on to the next argument where nothing follows the equals sign.
+            arguments.push_back("--" + key + (text(value).empty() ? "" : "=" + text(value)));
+            if (text(value).empty()) arguments.emplace_back();
         } else {
             throw Error(fmt::format("{}: \"{}\" is {}; expected a number, a string or a switch", path, key, value.type_name()));
         }
@@ -147,7 +149,7 @@ void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::ve
         ->transform(oneOf<View>({{"final", View::Final}, {"visibility", View::Visibility}}))->multi_option_policy(last);
     app.add_flag("--explain", options.explain, "print the plan: which passes run, and why");
     app.add_option("--json", options.json, "write a report of the frame")->check(notEmpty("a file name"))->multi_option_policy(last);
-    app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of");
+    app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of, and on a NaN or an infinity in any buffer");
     // Taken out beforehand; declared here for --help.
     app.add_option("--settings", "JSON file of these options; the command line wins");
 }
@@ -176,11 +178,6 @@ void addDefaultCommand(std::vector<std::string>& arguments) {
     if (asks) return;
     const bool known = !arguments.empty() && std::find(commands.begin(), commands.end(), arguments.front()) != commands.end();
     if (!known) arguments.insert(arguments.begin(), "view");
-}
-
-std::string oneLine(std::string text) {
-    const std::size_t end = text.find('\n');
-    return end == std::string::npos ? text : text.substr(0, end);
 }
 
 } // namespace
@@ -222,7 +219,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     } catch (const CLI::Success& success) {
         std::exit(app.exit(success));
     } catch (const CLI::ParseError& error) {
-        throw UsageError(oneLine(error.what()) + " (timeshade --help)");
+        throw UsageError(std::string(error.what()) + " (timeshade --help)");
     }
     options.command = view->parsed() ? Command::View : shot->parsed() ? Command::Shot : pictures->parsed() ? Command::Pictures : Command::List;
     if (!size.empty()) parseSize(size, options);

@@ -78,6 +78,7 @@ int runShot(const Options& options) {
     std::optional<gl::DebugLog> log;
     if (options.debugGl) log.emplace();
     FrameRenderer renderer;
+    renderer.setChecked(options.debugGl);
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
     FramePlanner planner(*scene);
     for (int i = 0; i < options.frames; ++i, request.frame += 1.0) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <fmt/format.h>
 
+#include "frame/buffer_check.h"
 #include "scene/error.h"
 
 namespace timeshade {
@@ -96,12 +98,20 @@ bool FrameRenderer::step() {
         shadePass_.draw(render, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
     }
     ++done_;
+    if (checked_) checkBuffers();
     return complete();
 }
 
 void FrameRenderer::draw(FramePlan plan, Technique& technique, View view) {
     begin(std::move(plan), technique, view);
     while (!step()) {}
+}
+
+void FrameRenderer::checkBuffers() const {
+    requireFinite(visibility_->lit(), "visibility", 0.0f, 1.0f);
+    requireFinite(*radiance_, "radiance", 0.0f, std::numeric_limits<float>::max());
+    for (const gl::Texture* texture : technique_->textures())
+        requireFinite(*texture, technique_->description().name, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
 }
 
 const gl::Texture& FrameRenderer::displayTexture() {

@@ -55,11 +55,16 @@ class FrameRenderer {
     /// Triangle of every camera sample of the last render, same order.
     std::vector<std::uint32_t> readSampleIds() const;
 
+    /// Checked: after every render, all float buffers are read back and scanned. A NaN, an infinity, or a lit outside
+    /// [0, 1] throws Error that names the buffer, the place and the value. Slow; for tests and --gl-debug.
+    void setChecked(bool checked) { checked_ = checked; }
+
     gl::PassTimer& timer() { return timer_; }
     GpuMemory memory() const;
 
   private:
     void resize(int width, int height, int strata);
+    void checkBuffers() const;
 
     gl::DeviceInfo device_;
     gl::PassTimer timer_;
@@ -78,6 +83,7 @@ class FrameRenderer {
     Technique* technique_ = nullptr;
     View view_ = View::Final;
     int renders_ = 0, done_ = 0;
+    bool checked_ = false;
 };
 
 } // namespace timeshade

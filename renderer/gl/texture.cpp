@@ -24,6 +24,7 @@ Texture Texture::array2D(const std::string& labelText, GLenum internalFormat, in
     assert(width > 0 && height > 0 && layers > 0);
     Texture texture(GL_TEXTURE_2D_ARRAY, labelText);
     glTextureStorage3D(texture.name(), 1, internalFormat, width, height, layers);
+    texture.format_ = internalFormat;
     texture.width_ = width;
     texture.height_ = height;
     texture.layers_ = layers;
@@ -36,6 +37,7 @@ Texture Texture::image2D(const std::string& labelText, GLenum internalFormat, in
     assert(width > 0 && height > 0 && levels > 0);
     Texture texture(GL_TEXTURE_2D, labelText);
     glTextureStorage2D(texture.name(), levels, internalFormat, width, height);
+    texture.format_ = internalFormat;
     texture.width_ = width;
     texture.height_ = height;
     texture.layers_ = 1;
@@ -47,6 +49,7 @@ Texture Texture::image2D(const std::string& labelText, GLenum internalFormat, in
 Texture Texture::ofBuffer(const std::string& labelText, GLenum internalFormat, const Buffer& buffer) {
     Texture texture(GL_TEXTURE_BUFFER, labelText);
     glTextureBuffer(texture.name(), internalFormat, buffer.name());
+    texture.format_ = internalFormat;
     return texture;
 }
 

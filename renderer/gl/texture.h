@@ -26,6 +26,7 @@ class Texture : public Object<DeleteTexture> {
     int height() const { return height_; }
     int layers() const { return layers_; }
     bool isArray() const { return isArray_; }
+    GLenum format() const { return format_; }  ///< the internal format
     std::size_t bytes() const { return bytes_; }  ///< 0 for a buffer's view: the buffer counts them
 
     void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
@@ -36,6 +37,7 @@ class Texture : public Object<DeleteTexture> {
     Texture(GLenum target, const std::string& labelText);
     int width_ = 0, height_ = 0, layers_ = 0;
     bool isArray_ = false;
+    GLenum format_ = 0;
     std::size_t bytes_ = 0;
 };
 

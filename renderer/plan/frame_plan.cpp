@@ -131,8 +131,9 @@ void FramePlanner::deform(double openSeconds, double closeSeconds) {
 }
 
 FramePlan FramePlanner::plan(const FrameRequest& request) {
-    const double open = request.shutter.openSeconds(request.frame), close = request.shutter.closeSeconds(request.frame);
-    deform(open, close);
+    const double open = request.shutter.openSeconds(request.frame);
+    deform(open, request.shutter.closeSeconds(request.frame));
+    const double close = scene_.heldCloseSeconds(open, request.shutter.closeSeconds(request.frame));
 
     FramePlan plan;
     plan.request = request;

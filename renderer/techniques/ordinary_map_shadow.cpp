@@ -38,4 +38,9 @@ void OrdinaryMapShadow::lookup(const TechniqueFrame& frame) {
     lookupPass_->draw(frame, program);
 }
 
+std::vector<const gl::Texture*> OrdinaryMapShadow::textures() const {
+    if (!map_) return {};
+    return {&map_->depth()};
+}
+
 } // namespace timeshade

@@ -18,6 +18,7 @@ class OrdinaryMapShadow {
     static float instantOf(const FramePlan& plan);
     void build(const TechniqueFrame& frame);
     void lookup(const TechniqueFrame& frame);
+    std::vector<const gl::Texture*> textures() const;
     std::size_t bytes() const { return map_ ? map_->bytes() : 0; }
 
   private:

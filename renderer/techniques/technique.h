@@ -54,6 +54,8 @@ class Technique {
     virtual void build(const TechniqueFrame& frame) = 0;
     /// Writes lit for every camera sample. Timed as "lookup".
     virtual void lookup(const TechniqueFrame& frame) = 0;
+    /// The textures that build has drawn, for checks: none may hold a NaN or an infinity.
+    virtual std::vector<const gl::Texture*> textures() const = 0;
     /// GPU memory held, in bytes.
     virtual std::size_t bytes() const = 0;
 };

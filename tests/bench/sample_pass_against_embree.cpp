@@ -155,6 +155,7 @@ class NoShadow final : public Technique {
     std::vector<PassDecision> passes(const FramePlan&) const override { return {}; }
     void build(const TechniqueFrame&) override {}
     void lookup(const TechniqueFrame&) override {}
+    std::vector<const gl::Texture*> textures() const override { return {}; }
     std::size_t bytes() const override { return 0; }
 };
 

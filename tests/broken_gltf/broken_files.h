@@ -121,6 +121,14 @@ inline std::vector<BrokenFile> brokenIndices() {
     set("/bufferViews/0/byteStride", -4, "expected an integer");
     set("/bufferViews/0/byteStride", 4, "stride of 4");
     set("/bufferViews/0/byteStride", 252, "bytes of its buffer view");
+    return files;
+}
+
+inline std::vector<BrokenFile> brokenReferences() {
+    std::vector<BrokenFile> files;
+    const auto set = [&](const char* pointer, const Json& value, const char* expected) {
+        files.push_back({std::string(pointer) + " = " + value.dump(), expected, changed([&](GltfFile& f) { at(f, pointer) = value; })});
+    };
     set("/skins/0/joints/0", 99, "node 99");
     set("/skins/0/joints", Json::array(), "no joints");
     set("/skins/0/inverseBindMatrices", 99, "accessor 99");
@@ -181,6 +189,14 @@ inline std::vector<BrokenFile> brokenContents() {
     add("too few key values", "numbers for 3 keys", [](GltfFile& f) { at(f, "/animations/0/samplers/0/output") = f.vec3s({0, 0, 0}); });
     add("spline without tangents", "numbers for 2 keys, expected 6", [](GltfFile& f) { at(f, "/animations/0/samplers/2/output") = f.scalars({0, 1}); });
     add("translation from a rotation's keys", "components", [](GltfFile& f) { at(f, "/animations/0/samplers/0/output") = at(f, "/animations/0/samplers/1/output"); });
+    return files;
+}
+
+inline std::vector<BrokenFile> brokenShapes() {
+    std::vector<BrokenFile> files;
+    const auto add = [&](const char* name, const char* expected, const std::function<void(GltfFile&)>& change) {
+        files.push_back({name, expected, changed(change)});
+    };
     add("own child", "its own child", [](GltfFile& f) { at(f, "/nodes/0/children") = {0}; });
     add("cycle", "cycle", [](GltfFile& f) {
         at(f, "/nodes/0/children") = {1};
@@ -190,7 +206,7 @@ inline std::vector<BrokenFile> brokenContents() {
         at(f, "/nodes/0/children") = {2};
         at(f, "/nodes/1/children") = {2};
     });
-    add("sparse index beyond", "sparse index 9", [&](GltfFile& f) {
+    add("sparse index beyond", "sparse index 9", [](GltfFile& f) {
         const auto view = f.json["accessors"].size();
         for (std::size_t i = 0; i < view; ++i)
             if (f.json["accessors"][i].contains("sparse"))
@@ -225,6 +241,13 @@ inline std::vector<BrokenFile> brokenContents() {
         std::vector<float> many(3 * 30'000);
         f.addMesh({{"POSITION", f.vec3s(many)}});
         for (int i = 0; i < 3000; ++i) f.addRoot({{"mesh", 0}});
+    });
+    add("ten thousand morph targets that are one", "vertices of morph targets", [](GltfFile& f) {
+        f = GltfFile{};
+        std::vector<float> many(3 * 30'000);
+        f.addMesh({{"POSITION", f.vec3s(many)}});
+        for (int i = 0; i < 10'000; ++i) at(f, "/meshes/0/primitives/0/targets").push_back({{"POSITION", 0}});
+        f.addRoot({{"mesh", 0}});
     });
     return files;
 }

@@ -66,7 +66,10 @@ GlContext& sharedContext() { return *made().context; }
 gl::DebugLog& sharedDebugLog() { return made().log; }
 
 FrameRenderer& sharedRenderer() {
-    if (!made().renderer) made().renderer.emplace();
+    if (!made().renderer) {
+        made().renderer.emplace();
+        made().renderer->setChecked(true);
+    }
     return *made().renderer;
 }
 

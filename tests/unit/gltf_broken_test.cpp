@@ -70,7 +70,9 @@ TEST(BrokenGltf, TheFileTheyStartFromIsValid) {
 
 TEST(BrokenGltf, ContainersAreRefused) { expectAllRefused(brokenContainers()); }
 TEST(BrokenGltf, IndicesAreRefused) { expectAllRefused(brokenIndices()); }
+TEST(BrokenGltf, ReferencesAreRefused) { expectAllRefused(brokenReferences()); }
 TEST(BrokenGltf, ContentsAreRefused) { expectAllRefused(brokenContents()); }
+TEST(BrokenGltf, ShapesAreRefused) { expectAllRefused(brokenShapes()); }
 
 TEST(BrokenGltf, EveryTruncationIsRefused) {
     const TemporaryFolder folder;
@@ -142,6 +144,29 @@ TEST(BrokenGltf, DeepChainsOfNodesWork) {
     const TemporaryFolder folder;
     const auto scene = loadGltf(folder.write("deep.glb", file.glb()));
     EXPECT_NEAR(scene->bounds().low.x, 0.001 * depth, 1e-6);
+}
+
+/// What a few bytes of JSON name again and again is read once.
+TEST(BrokenGltf, RepetitionCostsNoMemory) {
+    GltfFile file;
+    addQuad(file);
+    file.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}});
+    const int keys = 20'000;
+    std::vector<float> times;
+    for (int i = 0; i < keys; ++i) times.push_back(static_cast<float>(i));
+    const int output = file.vec3s(std::vector<float>(3 * keys));
+    const int input = file.scalars(times);
+    for (int i = 0; i < 10'000; ++i) {
+        const int node = file.addRoot({{"mesh", 0}, {"camera", 0}, {"name", "same"}});
+        file.json["animations"][0]["samplers"].push_back({{"input", input}, {"output", output}});
+        file.json["animations"][0]["channels"].push_back({{"sampler", i}, {"target", {{"node", node}, {"path", "translation"}}}});
+    }
+    const TemporaryFolder folder;
+    const auto path = folder.write("repeated.glb", file.glb());
+    const double before = peakMiB();
+    const auto scene = loadGltf(path);
+    EXPECT_EQ(scene->cameras().back().name, "same 10000");
+    EXPECT_LT(peakMiB() - before, 500.0);  // the keys alone would take 3 GB if every channel had its own
 }
 
 TEST(BrokenGltf, LimitsAreTheCallersToSet) {

@@ -61,7 +61,7 @@ TEST(ClipClock, WrapsAnyTime) {
     EXPECT_DOUBLE_EQ(clock.wrapped(2.0), 0.0);
     EXPECT_DOUBLE_EQ(clock.wrapped(-1e-300), 0.0);
     EXPECT_DOUBLE_EQ(ClipClock(0.0, true).wrapped(3.0), 0.0);
-    EXPECT_DOUBLE_EQ(clock.during(1.9, 2.3, 0.5), clock.wrapped(2.1));
+    EXPECT_NEAR(clock.during(1.9, 2.3, 0.5), 0.1, 1e-12);
 }
 
 TEST(ClipClock, HoldsWhatDoesNotLoop) {

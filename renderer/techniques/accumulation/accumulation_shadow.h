@@ -19,6 +19,7 @@ class AccumulationShadow final : public Technique {
     int renders() const override { return renders_; }
     void build(const TechniqueFrame& frame) override { shadow_.build(frame); }
     void lookup(const TechniqueFrame& frame) override { shadow_.lookup(frame); }
+    std::vector<const gl::Texture*> textures() const override { return shadow_.textures(); }
     std::size_t bytes() const override { return shadow_.bytes(); }
 
   private:

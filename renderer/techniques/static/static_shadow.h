@@ -16,6 +16,7 @@ class StaticShadow final : public Technique {
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override { shadow_.build(frame); }
     void lookup(const TechniqueFrame& frame) override { shadow_.lookup(frame); }
+    std::vector<const gl::Texture*> textures() const override { return shadow_.textures(); }
     std::size_t bytes() const override { return shadow_.bytes(); }
 
   private:

@@ -61,6 +61,13 @@ void TsmShadow::lookup(const TechniqueFrame& frame) {
     lookupPass_->draw(frame, program);
 }
 
+std::vector<const gl::Texture*> TsmShadow::textures() const {
+    std::vector<const gl::Texture*> all;
+    for (const auto* texture : {&depth_, &velocity_})
+        if (*texture) all.push_back(&**texture);
+    return all;
+}
+
 std::size_t TsmShadow::bytes() const {
     return (depth_ ? depth_->bytes() : 0) + (velocity_ ? velocity_->bytes() : 0) + (rasterizer_ ? rasterizer_->bytes() : 0);
 }

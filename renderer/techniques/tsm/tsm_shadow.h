@@ -21,6 +21,7 @@ class TsmShadow final : public Technique {
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
     void lookup(const TechniqueFrame& frame) override;
+    std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;
 
   private:

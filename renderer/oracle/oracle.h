@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "plan/frame_plan.h"
+
+namespace timeshade {
+
+/// What the oracle says of one camera sample.
+struct OracleAnswer {
+    bool hit = false;     ///< the sample sees something
+    bool tested = false;  ///< it faces the light and lies inside the light's cone
+    bool lit = false;     ///< ground truth of design section 1; meaningless unless tested
+    /// A float's rounding could have decided otherwise: the segment passes within 1e-6 (relative) of a triangle's edge,
+    /// or its hit lies within 1e-6 of an end of the open interval (1e-5, 1).
+    bool marginal = false;
+    float time = 0.0f;              ///< u
+    glm::dvec3 position{0.0};       ///< world space less the plan's origin
+};
+
+/// A camera sample: which pixel (x to the right, y upwards from the bottom row) and which stratum.
+struct SampleIndex {
+    std::uint32_t x = 0, y = 0, stratum = 0;
+};
+
+/// The independent ray tracer that knows the true `lit` of a camera sample. No OpenGL; it shares nothing with a
+/// technique but scene, motion and plan. A receiver p of triangle T at time u is shadowed iff the segment from p to
+/// the light meets a triangle other than T, in its position at u, at a relative distance in (1e-5, 1).
+/// The vertices are those of plan.texels (floats, taken as exact), the times those of the shared sample pattern.
+/// Embree answers in bulk with linear motion blur; `rule` decides in double precision.
+class Oracle {
+  public:
+    /// Builds the acceleration structures. Keeps its own copy of what it needs of the plan.
+    explicit Oracle(const FramePlan& plan);
+    ~Oracle();
+    Oracle(const Oracle&) = delete;
+    Oracle& operator=(const Oracle&) = delete;
+
+    /// Answers of all camera samples of the plan, whose triangles are given as [stratum][row from the bottom][column]
+    /// (NO_TRIANGLE where nothing is seen), in the same order. Embree, packets of eight, all cores. `plan` is the one of construction
+    /// or one made from it by planAtInstant.
+    std::vector<OracleAnswer> answer(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
+
+    /// Which triangle each camera sample sees, in the same order, by Embree with the camera's culling rule (one-sided
+    /// triangles are not seen from behind).
+    std::vector<std::uint32_t> tracePrimaries(const FramePlan& plan) const;
+
+    /// One sample, decided in double precision, and by exact arithmetic where double could be wrong.
+    OracleAnswer rule(const FramePlan& plan, SampleIndex sample, std::uint32_t triangle) const;
+
+    /// The triangle that one sample sees, in double precision; `marginal` tells whether a float's rounding could have
+    /// chosen another (within 1e-6 relative of an edge, or two triangles at one depth within 1e-6).
+    struct PrimaryRuling {
+        std::uint32_t triangle = NO_TRIANGLE;
+        bool marginal = false;
+    };
+    PrimaryRuling rulePrimary(const FramePlan& plan, SampleIndex sample) const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace timeshade

@@ -1,0 +1,209 @@
+"""What the program prints and writes beside pictures: lists, plans, manifests, sequences, settings files."""
+
+import json
+import re
+import unittest
+
+from program import CONTEXTS, PROGRAM, QUICK, SCENES, TECHNIQUES, Picture, ProgramTest
+
+
+class Lists(ProgramTest):
+    def test_text(self):
+        text = self.succeed("list")
+        for word in (*SCENES, *TECHNIQUES, "tsm.bias", "static.pcf_radius", "accumulation.renders", "texels", "renders"):
+            self.assertIn(word, text)
+
+    def test_json(self):
+        listed = json.loads(self.succeed("list", "--json"))
+        self.assertEqual([scene["name"] for scene in listed["scenes"]], list(SCENES))
+        self.assertTrue(set(TECHNIQUES) <= {technique["name"] for technique in listed["techniques"]})
+        for scene in listed["scenes"]:
+            self.assertGreater(len(scene["summary"]), 10, scene)
+        for technique in listed["techniques"]:
+            for key in ("title", "summary", "source"):
+                self.assertGreater(len(technique[key]), 2, technique)
+            keys = [setting["key"] for setting in technique["settings"]]
+            self.assertEqual(len(keys), len(set(keys)), technique)
+            for setting in technique["settings"]:
+                with self.subTest(technique=technique["name"], setting=setting["key"]):
+                    self.assertRegex(setting["key"], r"^[a-z][a-z0-9_]*$")
+                    self.assertGreater(len(setting["help"]), 20)
+                    if isinstance(setting["default"], bool):
+                        continue
+                    self.assertLess(setting["minimum"], setting["maximum"])
+                    self.assertTrue(setting["minimum"] <= setting["default"] <= setting["maximum"])
+                    self.assertGreater(len(setting["unit"]), 0)
+
+    def test_every_setting_takes_its_limits(self):
+        """What is listed is what the command line takes: both limits, and nothing beyond them."""
+        for technique in json.loads(self.succeed("list", "--json"))["techniques"]:
+            both = {"lowest": [], "highest": []}
+            for setting in technique["settings"]:
+                name = f"{technique['name']}.{setting['key']}"
+                switch = isinstance(setting["default"], bool)
+                low, high = ("off", "on") if switch else (setting["minimum"], setting["maximum"])
+                both["lowest"] += ["--set", f"{name}={low}"]
+                both["highest"] += ["--set", f"{name}={high}"]
+                if not switch:
+                    self.refuse(2, (name,), "shot", "chess", "-o", "F.png", "--set", f"{name}={setting['minimum'] - 1}")
+                    self.refuse(2, (name,), "shot", "chess", "-o", "F.png", "--set", f"{name}={setting['maximum'] + 1}")
+            # Brute force is drawn with its least number of renders only: the most take minutes.
+            for name, settings in both.items():
+                if name == "lowest" or technique["name"] != "accumulation":
+                    with self.subTest(technique=technique["name"], settings=name):
+                        self.shot("octopus", "F.png", *QUICK, "--technique", technique["name"], *settings, "--gl-debug")
+                        (self.folder / "F.png").unlink()
+
+    def test_devices(self):
+        text = self.succeed("list", "--devices")
+        devices = json.loads(self.succeed("list", "--devices", "--json"))
+        self.assertEqual([device["index"] for device in devices], list(range(len(devices))))
+        for device in devices:
+            self.assertIn(device["name"], text)
+        if devices:
+            self.shot("chess", "F.png", *QUICK, "--device", "0")
+            self.assertIn("EGL device 0", self.manifest("--device", "0")["gl"]["back_end"])
+
+    def test_help_and_version(self):
+        self.assertRegex(self.succeed("--version"), r"^timeshade \d+\.\d+\.\d+\n$")
+        text = self.succeed("--help")
+        for word in ("view", "shot", "pictures", "list"):
+            self.assertIn(word, text)
+        self.assertEqual(text, self.succeed("-h"))
+        options = self.succeed("shot", "--help")
+        for word in ("--technique", "--spp", "--size", "--map", "--frame", "--time", "--fps", "--shutter", "--seed", "--context",
+                     "--set", "--settings", "--camera", "--clip", "--view", "--explain", "--json", "--device", "--output"):
+            self.assertIn(word, options)
+
+    def manifest(self, *arguments):
+        self.succeed("shot", "chess", "-o", "M.png", *QUICK, "--json", "M.json", *arguments)
+        return json.loads((self.folder / "M.json").read_text(encoding="utf-8"))
+
+
+class Plans(ProgramTest):
+    def explain(self, scene, *arguments):
+        return self.succeed("shot", scene, "-o", "F.png", *QUICK, "--explain", *arguments)
+
+    def test_passes_and_reasons(self):
+        for technique in TECHNIQUES:
+            with self.subTest(technique=technique):
+                text = self.explain("chess", "--technique", technique)
+                for name in ("sample", "build", "lookup"):
+                    self.assertRegex(text, rf"(?m)^{name} +.*\w+ \w+ \w+", "a pass with its reason")
+                self.assertRegex(text, r"(?m)^device +\S+")
+                self.assertRegex(text, r"(?m)^sample +\d+ of \d+ triangles: ")
+
+    def test_what_moves(self):
+        self.assertRegex(self.explain("pillars"), r"(?m)^sample .* 0 of \d+ triangles move, the light moves")
+        self.assertRegex(self.explain("chess", "--frame", "26"), r"(?m)^sample .*[1-9]\d* of \d+ triangles move")
+        still = self.explain("chess", "--shutter", "0")
+        self.assertRegex(still, r"(?m)^sample .* 0 of \d+ triangles move, the light stands still, the camera stands still")
+
+
+class Manifests(ProgramTest):
+    def test_everything_that_the_frame_needs(self):
+        for context in CONTEXTS:
+            self.succeed("shot", "octopus", "-o", "F.png", "--technique", "tsm", "--spp", "3", "--size", "65x33", "--map", "128",
+                         "--seed", "7", "--frame", "12", "--set", "tsm.bias=0.25", "--set", "tsm.dynamic_bias=on", "--json", "F.json",
+                         "--context", context)
+            report = json.loads((self.folder / "F.json").read_text(encoding="utf-8"))
+            wanted = {"scene": "octopus", "technique": "tsm", "spp": 3, "size": [65, 33], "map": 128, "seed": 7, "frame": 12.0}
+            self.assertEqual({key: report[key] for key in wanted}, wanted)
+            self.assertEqual(report["settings"]["bias"], 0.25)
+            self.assertIs(report["settings"]["dynamic_bias"], True)
+            self.assertIn("slope_bias", report["settings"])
+            self.assertIn(context, report["gl"]["back_end"].lower())
+            for key in ("vendor", "renderer", "version"):
+                self.assertGreater(len(report["gl"][key]), 0)
+            times = dict(report["milliseconds"])
+            total = times.pop("total")
+            self.assertEqual(set(times), {"sample", "build", "lookup", "shade"})
+            self.assertTrue(all(value > 0.0 for value in times.values()), times)
+            self.assertAlmostEqual(total, sum(times.values()), places=6)
+            sizes = dict(report["bytes"])
+            self.assertEqual(sizes.pop("total"), sum(sizes.values()))
+            # Three layers: R32UI ids and one depth, R32F visibility; depth and velocity of the map.
+            self.assertEqual(sizes["visibility"], 65 * 33 * 3 * 4)
+            self.assertGreaterEqual(sizes["samples"], 65 * 33 * (3 + 1) * 4)
+            self.assertGreaterEqual(sizes["technique"], 128 * 128 * 3 * (4 + 4))
+
+    def test_a_report_repeats_its_frame(self):
+        first = self.shot("chess", "a.png", "--technique", "static", "--size", "96x72", "--spp", "2", "--map", "64", "--seed", "3",
+                          "--set", "static.pcf_radius=1", "--json", "a.json")
+        report = json.loads((self.folder / "a.json").read_text(encoding="utf-8"))
+        settings = [f"--set={report['technique']}.{key}={value}".lower() for key, value in report["settings"].items()]
+        again = self.shot(report["scene"], "b.png", "--technique", report["technique"], "--spp", report["spp"],
+                          "--size", "{}x{}".format(*report["size"]), "--map", report["map"], "--seed", report["seed"],
+                          "--frame", report["frame"], "--fps", report["fps"], "--shutter", report["shutter"], *settings)
+        self.assertEqual(first, again)
+
+
+class Sequences(ProgramTest):
+    def test_a_frame_of_a_sequence_is_the_frame_from_a_cold_start(self):
+        for technique in TECHNIQUES:
+            with self.subTest(technique=technique):
+                common = ("--technique", technique, "--size", "96x72", "--spp", "2", "--map", "64", "--set", "accumulation.renders=3")
+                before = self.files()
+                self.succeed("shot", "chess", "-o", "F.png", *common, "--frame", "20", "--frames", "3")
+                names = sorted(set(self.files()) - set(before))
+                self.assertEqual(names, ["F.0000.png", "F.0001.png", "F.0002.png"])
+                frames = [(self.folder / name).read_bytes() for name in names]
+                self.assertEqual(len(set(frames)), 3, "the scene stands still")
+                for i, frame in enumerate(frames):
+                    self.assertTrue(frame == self.shot("chess", "cold.png", *common, "--frame", 20 + i), f"frame {20 + i}")
+                for path in self.folder.iterdir():
+                    path.unlink()
+
+    def test_pictures(self):
+        text = self.succeed("pictures", "-o", "new/folder", *QUICK)
+        self.assertEqual([name for name in self.files() if name.endswith(".png")], [f"new/folder/{scene}.png" for scene in SCENES])
+        for scene in SCENES:
+            self.assertRegex(text, rf"(?m)^{scene} +[\d. ]+ /.*/new/folder/{scene}\.png$")
+            picture = Picture((self.folder / "new" / "folder" / f"{scene}.png").read_bytes())
+            self.assertEqual((picture.width, picture.height), (64, 48))
+            # The same as one at a time.
+            self.assertTrue((self.folder / "new" / "folder" / f"{scene}.png").read_bytes() == self.shot(scene, "F.png", *QUICK))
+
+    def test_every_output_names_the_device(self):
+        line = self.succeed("shot", "chess", "-o", "F.png", *QUICK)
+        self.assertRegex(line, r"^/.*/F\.png  [\d.]+ ms  .+ \(.+\)\n$")
+        if re.search("llvmpipe|softpipe|SwiftShader", line):
+            self.assertIn("SOFTWARE RENDERER", line)
+
+
+class SettingsFiles(ProgramTest):
+    FILE = {"technique": "tsm", "spp": 3, "size": "96x72", "map": 128, "seed": 9, "frame": 21, "shutter": 1.5, "camera": "knight",
+            "explain": False, "gl-debug": True, "set": {"tsm.bias": 2, "tsm.dynamic_bias": True, "static.bias": 3.5}}
+    OPTIONS = ("--technique", "tsm", "--spp", "3", "--size", "96x72", "--map", "128", "--seed", "9", "--frame", "21", "--shutter", "1.5",
+               "--camera", "knight", "--gl-debug", "--set", "tsm.bias=2", "--set", "tsm.dynamic_bias=on", "--set", "static.bias=3.5")
+
+    def write(self, name, content):
+        (self.folder / name).write_text(json.dumps(content), encoding="utf-8")
+        return name
+
+    def test_the_same_as_the_options(self):
+        name = self.write("s.json", self.FILE)
+        wanted = self.shot("chess", "a.png", *self.OPTIONS)
+        self.assertEqual(wanted, self.shot("chess", "b.png", "--settings", name))
+        self.assertEqual(wanted, self.shot("chess", "c.png", f"--settings={name}"))
+        self.assertNotEqual(wanted, self.shot("chess", "d.png", "--size", "96x72"))
+
+    def test_the_command_line_wins(self):
+        name = self.write("s.json", self.FILE)
+        wanted = self.shot("chess", "a.png", *self.OPTIONS, "--seed", "4", "--set", "tsm.bias=1")
+        self.assertEqual(wanted, self.shot("chess", "b.png", "--settings", name, "--seed", "4", "--set", "tsm.bias=1"))
+        self.assertEqual(wanted, self.shot("chess", "c.png", "--seed", "4", "--set", "tsm.bias=1", "--settings", name))
+
+    def test_of_two_files_the_later_wins(self):
+        first, second = self.write("1.json", self.FILE), self.write("2.json", {"seed": 4, "set": {"tsm.bias": 1}})
+        wanted = self.shot("chess", "a.png", *self.OPTIONS, "--seed", "4", "--set", "tsm.bias=1")
+        self.assertEqual(wanted, self.shot("chess", "b.png", "--settings", first, "--settings", second))
+
+    def test_switches_and_negative_numbers(self):
+        name = self.write("s.json", {"explain": True, "frame": -3, "size": "64x48", "spp": 1})
+        self.assertIn("lookup", self.succeed("shot", "pillars", "-o", "F.png", "--settings", name))
+        self.assertEqual((self.folder / "F.png").read_bytes(), self.shot("pillars", "G.png", "--frame", "-3", "--size", "64x48", "--spp", "1"))
+
+
+if __name__ == "__main__":
+    unittest.main()
