@@ -1,9 +1,216 @@
 #include "interactive.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#define GLFW_INCLUDE_NONE  // glad declares OpenGL
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "contexts/window_context.h"
+#include "frame_setup.h"
+#include "gl/debug_log.h"
+#include "image/image_file.h"
+#include "panels/panels.h"
+#include "report.h"
 #include "scene/error.h"
+#include "scene_catalogue.h"
+#include "window/controls.h"
+#include "window/session.h"
+#include "window/ui_dump.h"
+#include "window/ui_window.h"
 
 namespace timeshade {
 
-int runInteractive(const Options&) { throw Error("the window is not there yet"); }
+namespace {
+
+/// ImGui needs a few frames to show what an event has changed.
+constexpr int framesAfterActivity = 3;
+constexpr double longestSleep = 0.25;  // seconds; notices end by themselves
+
+WindowOptions windowOptions(const Options& options) {
+    WindowOptions window;
+    // Options start with the size of a headless picture.
+    const Options untouched;
+    if (options.width != untouched.width || options.height != untouched.height) {
+        window.width = options.width;
+        window.height = options.height;
+    }
+    window.visible = options.windowVisible;
+    window.debug = options.debugGl;
+    return window;
+}
+
+/// The window from its first frame to its last.
+class Interactive {
+  public:
+    Interactive(const Options& options, std::unique_ptr<Scene> scene, const WindowContext& context)
+        : window_(context.handle()), ui_(window_), session_(options, std::move(scene), context.backEnd()) {}
+
+    void run() {
+        while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
+            wait();
+            int width = 0, height = 0;
+            glfwGetFramebufferSize(window_, &width, &height);
+            if (width > 0 && height > 0) drawFrame(width, height);
+        }
+    }
+
+    Session& session() { return session_; }
+
+  private:
+    void wait();
+    void drawFrame(int width, int height);
+    void drawPicture(const Area& area);
+    void reportState(int width, int height);
+    void takeScreenshot();
+
+    GLFWwindow* window_;
+    UiWindow ui_;
+    Session session_;
+    UiDump dump_;
+    PictureMouse mouse_;
+    int framesLeft_ = framesAfterActivity;
+    std::string title_;
+};
+
+void Interactive::wait() {
+    if (ui_.events().takeActivity()) framesLeft_ = framesAfterActivity;
+    const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
+    const bool busy = framesLeft_ > 0 || session_.playback.playing() || session_.wishedScreenshot;
+    const double untilWork = std::min(session_.driver.sleep(glfwGetTime()).value_or(longestSleep), longestSleep);
+    if (minimised)
+        glfwWaitEventsTimeout(longestSleep);
+    else if (busy || untilWork <= 0.0)
+        glfwPollEvents();
+    else
+        glfwWaitEventsTimeout(untilWork);
+    if (ui_.events().takeActivity()) framesLeft_ = framesAfterActivity;
+    framesLeft_ = std::max(0, framesLeft_ - 1);
+}
+
+void Interactive::drawFrame(int width, int height) {
+    session_.advance(glfwGetTime());
+    for (const std::string& path : ui_.events().takeDropped()) session_.wishedScene = path;
+
+    ui_.beginFrame(session_.textScale);
+    dump_.beginFrame();
+    if (applyKeys(session_, ui_.events().takeKeys())) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+    const Layout layout = layoutOf(ImGui::GetIO().DisplaySize, ui_.scale(), session_.panelsVisible);
+    mouse_.apply(session_, layout.picture);
+    Widgets widgets(dump_, ui_.scale());
+    drawSidePanel(session_, widgets, layout.side);
+    drawTransportBar(session_, widgets, layout.transport);
+    drawOverlays(session_, widgets, layout.picture);
+    session_.applyWishes();
+
+    const auto pixels = [&](float units) { return std::clamp(static_cast<int>(std::lround(units * ui_.pixelsPerUnit())), 1, maximumImageSide); };
+    session_.request.width = pixels(layout.picture.size.x);
+    session_.request.height = pixels(layout.picture.size.y);
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool held = mouse_.dragging() || (ImGui::IsAnyItemActive() && io.MouseDown[0]);
+    if (session_.driver.update(session_.wanted(held), session_.now)) framesLeft_ = std::max(framesLeft_, 2);
+    if (session_.wishedScreenshot) takeScreenshot();
+    drawPicture(layout.picture);
+    reportState(width, height);
+    ui_.endFrame();
+    dump_.endFrame();
+}
+
+void Interactive::drawPicture(const Area& area) {
+    const gl::Texture* picture = session_.driver.picture();
+    if (picture == nullptr) return;
+    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture->name()));
+    const ImVec2 end{area.position.x + area.size.x, area.position.y + area.size.y};
+    // OpenGL's rows go upwards.
+    ImGui::GetBackgroundDrawList()->AddImage(id, area.position, end, {0.0f, 1.0f}, {1.0f, 0.0f});
+}
+
+void Interactive::takeScreenshot() {
+    using State = FrameDriver::State;
+    const State state = session_.driver.state();
+    if (state == State::Drawing || (state == State::Complete && session_.driver.preview())) return;  // later, when it is whole
+    session_.wishedScreenshot = false;
+    framesLeft_ = framesAfterActivity;
+    if (session_.driver.picture() == nullptr) {
+        session_.notify("There is no picture to save.", true);
+        return;
+    }
+    const std::filesystem::path path = std::filesystem::absolute(session_.screenshotName()).lexically_normal();
+    try {
+        writePng(path, session_.renderer.readPicture());
+        session_.lastScreenshot = path.string();
+        session_.notify("Saved " + path.string());
+    } catch (const std::exception& error) {
+        session_.notify(error.what(), true);
+    }
+}
+
+void Interactive::reportState(int width, int height) {
+    const FrameDriver& driver = session_.driver;
+    const std::string title = fmt::format("Timeshade: {}, {}{}", std::filesystem::path(session_.sceneName).filename().string(),
+                                          session_.technique->description().title, session_.renderer.device().software ? " (software renderer)" : "");
+    if (title != title_) glfwSetWindowTitle(window_, title.c_str());
+    title_ = title;
+    if (!dump_.enabled()) return;
+    static constexpr const char* names[] = {"nothing", "drawing", "complete", "cancelled", "failed"};
+    dump_.state("window", {width, height});
+    dump_.state("scale", ui_.scale());
+    dump_.state("scene", session_.sceneName);
+    dump_.state("technique", session_.technique->description().name);
+    dump_.state("frame", session_.playback.frame());
+    dump_.state("playing", session_.playback.playing());
+    dump_.state("hand_camera", session_.camera.has_value());
+    dump_.state("picture", names[static_cast<int>(driver.state())]);
+    dump_.state("settled", driver.settled());
+    dump_.state("preview", driver.preview());
+    dump_.state("begun", driver.begun());
+    if (driver.hasPlan()) {
+        const FrameRequest& drawn = session_.renderer.plan().request;
+        dump_.state("drawn", {drawn.width, drawn.height});
+        dump_.state("renders", {session_.renderer.rendersDone(), session_.renderer.renders()});
+    }
+    if (driver.state() == FrameDriver::State::Failed) dump_.state("failure", driver.failure());
+    dump_.state("screenshot", session_.lastScreenshot);
+    dump_.state("panels", session_.panelsVisible);
+}
+
+void writeReport(const Options& options, Session& session) {
+    if (options.json.empty() || !session.driver.hasPlan()) return;
+    const std::string text = manifest(session.renderer, *session.technique, session.sceneName, session.backEnd, session.driver.times().medians());
+    writeFileAtomically(options.json, text);
+}
+
+} // namespace
+
+int runInteractive(const Options& options) {
+    if (options.context.kind == ContextKind::Egl || options.context.kind == ContextKind::OsMesa)
+        throw UsageError("--context: the window makes its own context; expected auto or window (egl and osmesa are for headless commands)");
+    if (!options.json.empty()) requireWritable(options.json);
+    std::unique_ptr<Scene> scene = openScene(options.scene, options.clip);
+    const FrameRequest request = requestFor(options, *scene);
+
+    const WindowContext context(windowOptions(options));
+    std::optional<gl::DebugLog> log;
+    if (options.debugGl) log.emplace();
+    {
+        Interactive interactive(options, std::move(scene), context);
+        Session& session = interactive.session();
+        if (options.explain) {
+            fmt::print("{}", explain(session.planner->plan(request), *session.technique, session.renderer.device()));
+            std::fflush(stdout);
+        }
+        interactive.run();
+        writeReport(options, session);
+    }
+    if (log && !log->messages().empty())
+        throw Error(fmt::format("the driver complained {} times, first: {}", log->messages().size(), log->messages().front()));
+    return 0;
+}
 
 } // namespace timeshade

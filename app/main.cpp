@@ -9,8 +9,10 @@
 
 #include "headless.h"
 #include "interactive.h"
+#include "measure.h"
 #include "options.h"
 #include "scene/error.h"
+#include "verify.h"
 
 namespace {
 
@@ -19,6 +21,8 @@ int run(const timeshade::Options& options) {
     case timeshade::Command::View: return timeshade::runInteractive(options);
     case timeshade::Command::Shot: return timeshade::runShot(options);
     case timeshade::Command::Pictures: return timeshade::runPictures(options);
+    case timeshade::Command::Measure: return timeshade::runMeasure(options);
+    case timeshade::Command::Verify: return timeshade::runVerify(options);
     case timeshade::Command::List: return timeshade::runList(options);
     }
     return 1;

@@ -173,7 +173,7 @@ std::vector<std::string> withSettingsFiles(const std::vector<std::string>& argum
 
 /// `timeshade` alone and `timeshade chess` mean the window.
 void addDefaultCommand(std::vector<std::string>& arguments) {
-    const std::vector<std::string> commands{"view", "shot", "pictures", "list"};
+    const std::vector<std::string> commands{"view", "shot", "pictures", "verify", "measure", "list"};
     const bool asks = !arguments.empty() && (arguments.front() == "--help" || arguments.front() == "-h" || arguments.front() == "--version");
     if (asks) return;
     const bool known = !arguments.empty() && std::find(commands.begin(), commands.end(), arguments.front()) != commands.end();
@@ -187,6 +187,8 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     std::string size;
     std::vector<std::string> settings;
     std::vector<std::string> arguments(argumentValues + 1, argumentValues + argumentCount);
+    options.commandLine = "timeshade";
+    for (const std::string& argument : arguments) options.commandLine += " " + argument;
     addDefaultCommand(arguments);
     arguments = withSettingsFiles(arguments);
 
@@ -209,6 +211,24 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     pictures->add_option("-o,--output", options.output, "folder")->required();
     addFrameOptions(*pictures, options, size, settings);
 
+    CLI::App* verify = app.add_subcommand("verify", "compare every camera sample with the ray-traced truth");
+    verify->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file")->required();
+    verify->add_option("--dump", options.dump, "folder for the data itself: triangles.csv, light.csv, samples.csv");
+    verify->add_option("--max-ppm", options.maxPpm, "exit with 3 if more samples in a million disagree")->check(CLI::Range(0.0, 1e6));
+    addFrameOptions(*verify, options, size, settings);
+
+    CLI::App* measure = app.add_subcommand("measure", "accuracy against time: tables and charts into a folder");
+    measure->add_option("scenes", options.measuredScenes, "built-in scenes or files (default: all built-in ones)");
+    measure->add_option("-o,--output", options.output, "folder; a sweep that was interrupted goes on there")->required();
+    measure->add_option("--techniques", options.measuredTechniques, "names, and embree for the ray-traced peer (default: all)")->delimiter(',');
+    measure->add_option("--spps", options.measuredEfforts, "samples per pixel to measure, as in 1,2,4,8,16")
+        ->delimiter(',')->check(numberFrom(1, maximumSamplesPerPixel));
+    measure->add_option("--maps", options.measuredMaps, "map sizes to measure, as in 256,512")
+        ->delimiter(',')->check(numberFrom(minimumMapSize, maximumMapSize));
+    measure->add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")->check(numberFrom(2, 1000));
+    measure->add_option("--reference", options.referenceSamples, "samples per pixel of the reference")->check(numberFrom(1, 65536));
+    addFrameOptions(*measure, options, size, settings);
+
     CLI::App* list = app.add_subcommand("list", "scenes, techniques and their settings");
     list->add_flag("--json", options.listAsJson, "as JSON");
     list->add_flag("--devices", options.listDevices, "the EGL devices of this machine");
@@ -221,7 +241,11 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + " (timeshade --help)");
     }
-    options.command = view->parsed() ? Command::View : shot->parsed() ? Command::Shot : pictures->parsed() ? Command::Pictures : Command::List;
+    options.command = measure->parsed() ? Command::Measure : verify->parsed() ? Command::Verify : view->parsed() ? Command::View : shot->parsed() ? Command::Shot : pictures->parsed() ? Command::Pictures : Command::List;
+    if (options.command == Command::Measure) {  // small enough to sweep on a software renderer
+        options.width = 320;
+        options.height = 240;
+    }
     if (!size.empty()) parseSize(size, options);
     for (const std::string& setting : settings) parseSetting(setting, options);
     if (options.command == Command::Shot) {

@@ -11,7 +11,7 @@
 
 namespace timeshade {
 
-enum class Command { View, Shot, Pictures, List };
+enum class Command { View, Shot, Pictures, Verify, Measure, List };
 
 /// What the command line (and a settings file) asks for, checked as far as that is possible without a scene or OpenGL.
 struct Options {
@@ -38,6 +38,15 @@ struct Options {
 
     bool explain = false;
     std::string json;   ///< path for a machine-readable report
+    std::string dump;              ///< folder for verify's data
+    std::optional<double> maxPpm;  ///< verify: exit code 3 above it
+    std::vector<std::string> measuredScenes;      ///< measure: empty for all built-in ones
+    std::vector<std::string> measuredTechniques;  ///< measure: empty for all, and Embree
+    std::vector<int> measuredEfforts{1, 2, 4, 8, 16};  ///< measure: samples per pixel
+    std::vector<int> measuredMaps{512};
+    int rounds = 3;               ///< measure: how often each point is timed, each with a seed of its own
+    int referenceSamples = 256;   ///< measure: samples per pixel of the reference
+    std::string commandLine;      ///< as typed, for manifests
     bool listDevices = false;
     bool listAsJson = false;
     bool debugGl = false;

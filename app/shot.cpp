@@ -1,14 +1,14 @@
 #include <cstdio>
 #include <filesystem>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "frame/frame_renderer.h"
 #include "frame_setup.h"
-#include "gl/debug_log.h"
+#include "gl_checks.h"
 #include "headless.h"
 #include "make_context.h"
+#include "progress.h"
 #include "report.h"
 #include "scene/error.h"
 #include "scene_catalogue.h"
@@ -16,24 +16,6 @@
 namespace timeshade {
 
 namespace {
-
-/// Progress of brute force on a terminal, one line that is written over.
-class Progress {
-  public:
-    explicit Progress(int renders) : shown_(renders > 1 && isatty(STDERR_FILENO) == 1), renders_(renders) {}
-    void update(int done) const {
-        if (shown_ && done % 8 == 0) fmt::print(stderr, "\rtimeshade: render {} of {} ", done, renders_);
-    }
-    ~Progress() {
-        if (shown_) fmt::print(stderr, "\r{:40}\r", "");
-    }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-
-  private:
-    bool shown_;
-    int renders_;
-};
 
 std::filesystem::path pathOfFrame(const std::string& output, int index, int count) {
     if (count == 1) return output;
@@ -54,11 +36,6 @@ void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& techni
     while (!renderer.step()) progress.update(renderer.rendersDone());
 }
 
-void requireSilence(const std::optional<gl::DebugLog>& log) {
-    if (log && !log->messages().empty())
-        throw Error(fmt::format("the driver complained {} times, first: {}", log->messages().size(), log->messages().front()));
-}
-
 double total(const std::vector<gl::PassTimer::Reading>& times) {
     double sum = 0.0;
     for (const auto& reading : times) sum += reading.milliseconds;
@@ -75,8 +52,7 @@ int runShot(const Options& options) {
     for (const std::string& note : scene->notes()) fmt::print(stderr, "timeshade: note: {}\n", note);
 
     const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
-    std::optional<gl::DebugLog> log;
-    if (options.debugGl) log.emplace();
+    const DriverWatch watch(options.debugGl);
     FrameRenderer renderer;
     renderer.setChecked(options.debugGl);
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
@@ -87,7 +63,7 @@ int runShot(const Options& options) {
         drawWithProgress(renderer, std::move(plan), *technique, options.view);
         const std::filesystem::path path = pathOfFrame(options.output, i, options.frames);
         const auto times = renderer.timer().finishFrame();
-        requireSilence(log);
+        watch.requireSilence();
         write(renderer, path);
         fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), total(times),
                    deviceLine(renderer.device()));

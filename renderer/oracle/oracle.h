@@ -16,8 +16,10 @@ struct OracleAnswer {
     bool hit = false;     ///< the sample sees something
     bool tested = false;  ///< it faces the light and lies inside the light's cone
     bool lit = false;     ///< ground truth of design section 1; meaningless unless tested
-    /// A float's rounding could have decided otherwise: the segment passes within 1e-6 (relative) of a triangle's edge,
-    /// or its hit lies within 1e-6 of an end of the open interval (1e-5, 1).
+    /// A float's rounding could have decided otherwise, where it moves points by 1e-6 of their coordinates: the segment
+    /// meets no triangle clearly, but passes that near to an edge, or meets a plane that near to an end of the open
+    /// interval (1e-5, 1); or the receiver's facing or the cone's border is that near to a change.
+    /// `answer` knows it only of the samples that it has ruled upon.
     bool marginal = false;
     float time = 0.0f;              ///< u
     glm::dvec3 position{0.0};       ///< world space less the plan's origin
@@ -30,7 +32,9 @@ struct SampleIndex {
 
 /// The independent ray tracer that knows the true `lit` of a camera sample. No OpenGL; it shares nothing with a
 /// technique but scene, motion and plan. A receiver p of triangle T at time u is shadowed iff the segment from p to
-/// the light meets a triangle other than T, in its position at u, at a relative distance in (1e-5, 1).
+/// the light meets a triangle other than T, in its position at u, at a relative distance in (1e-5, 1). Triangles are
+/// closed (edges count); one in a common plane with the segment is not met. A directional light's segment is as long as
+/// its map is deep (plan.light.block.farDistance), which takes it past all of the scene.
 /// The vertices are those of plan.texels (floats, taken as exact), the times those of the shared sample pattern.
 /// Embree answers in bulk with linear motion blur; `rule` decides in double precision.
 class Oracle {
@@ -42,9 +46,12 @@ class Oracle {
     Oracle& operator=(const Oracle&) = delete;
 
     /// Answers of all camera samples of the plan, whose triangles are given as [stratum][row from the bottom][column]
-    /// (NO_TRIANGLE where nothing is seen), in the same order. Embree, packets of eight, all cores. `plan` is the one of construction
-    /// or one made from it by planAtInstant.
+    /// (NO_TRIANGLE where nothing is seen), in the same order. Embree, packets of eight, all cores; hits near an edge or near
+    /// an end of the segment are ruled upon. `plan` is the one of construction or one made from it by planAtInstant.
     std::vector<OracleAnswer> answer(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
+
+    /// The same as `answer`, but every sample ruled upon: slower by some five times, and nowhere in doubt.
+    std::vector<OracleAnswer> ruleAll(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
 
     /// Which triangle each camera sample sees, in the same order, by Embree with the camera's culling rule (one-sided
     /// triangles are not seen from behind).

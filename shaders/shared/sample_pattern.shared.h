@@ -14,7 +14,8 @@ SHARED_BEGIN
 /// recurrence over k would tie strata to each other (a golden-ratio step all but repeats after 13).
 /// So one sample lies in every stratum of time, a pixel's samples are spread evenly in space, and pixels are independent.
 SHARED_FUNCTION vec3 samplePattern(uvec2 pixel, uint k, uint seed, uint salt) {
-    uvec3 shift = hashWords(uvec3(pixel.x, pixel.y, seed ^ salt));
+    // The seed is mixed beforehand: words that differ in high bits alone, hashWords leaves nearly as they were.
+    uvec3 shift = hashWords(uvec3(pixel.x, pixel.y, hashWord(seed ^ salt)));
     return vec3(unitInterval(shift.x + k * 0xc13fa9a9u), unitInterval(shift.y + k * 0x91e10da5u),
                 unitInterval(hashWord(shift.z + k * 0x9e3779b9u)));
 }

@@ -1,0 +1,111 @@
+#include "measure.h"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "commit.h"
+#include "frame_setup.h"
+#include "gl_checks.h"
+#include "make_context.h"
+#include "measure/sweep_report.h"
+#include "scene/error.h"
+#include "scene_catalogue.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+
+namespace {
+
+std::string processorName() {
+    std::ifstream stream("/proc/cpuinfo");
+    std::string line;
+    while (std::getline(stream, line))
+        if (line.rfind("model name", 0) == 0) return fmt::format("{}, {} threads", line.substr(line.find(':') + 2), sysconf(_SC_NPROCESSORS_ONLN));
+    return "unknown";
+}
+
+std::vector<std::string> techniquesOf(const Options& options) {
+    std::vector<std::string> names = options.measuredTechniques;
+    if (names.empty()) {
+        for (const TechniqueDescription& description : techniqueDescriptions()) names.push_back(description.name);
+        names.push_back("embree");
+    }
+    gl::ProgramCache programs;
+    for (const std::string& name : names)
+        if (name != "embree") makeTechnique(name, programs);  // throws for an unknown one
+    return names;
+}
+
+std::vector<std::string> settingLines(const std::vector<std::string>& techniques, const Options& options) {
+    std::vector<std::string> lines;
+    gl::ProgramCache programs;
+    for (const std::string& name : techniques) {
+        if (name == "embree") continue;
+        Options one = options;
+        one.technique = name;
+        const std::unique_ptr<Technique> technique = techniqueFor(one, programs);
+        for (const Setting& setting : settingsOf(*technique))
+            if (setting.key != "renders") lines.push_back(fmt::format("{}.{} = {:g}", name, setting.key, setting.get()));
+    }
+    return lines;
+}
+
+void showProgress(const std::string& what, int done, int total, double secondsLeft) {
+    if (isatty(STDERR_FILENO) != 1) return;
+    const std::string left = secondsLeft < 0.0 ? "" : fmt::format(", {:.0f} s left", secondsLeft);
+    fmt::print(stderr, "\r\033[Ktimeshade: {} of {}{}: {}", done + 1, total, left, what);
+    std::fflush(stderr);
+}
+
+} // namespace
+
+int runMeasure(const Options& options) {
+    const std::filesystem::path folder(options.output);
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw Error(fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+
+    SweepOptions sweep;
+    std::vector<std::string> names = options.measuredScenes;
+    if (names.empty())
+        for (const BuiltInScene& scene : builtInScenes()) names.push_back(scene.name);
+    std::vector<std::unique_ptr<Scene>> scenes;
+    for (const std::string& name : names) {
+        scenes.push_back(openScene(name, options.clip));
+        sweep.scenes.push_back({name, scenes.back().get(), requestFor(options, *scenes.back())});
+    }
+    sweep.techniques = techniquesOf(options);
+    sweep.settings = options.settings;
+    sweep.efforts = options.measuredEfforts;
+    sweep.mapSizes = options.measuredMaps;
+    sweep.rounds = options.rounds;
+    sweep.referenceSamples = options.referenceSamples;
+    sweep.journal = folder / "rows.jsonl";
+    sweep.progress = showProgress;
+
+    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
+    const DriverWatch watch(options.debugGl);
+    FrameRenderer renderer;
+    ReferenceCache cache;
+    const std::vector<SweepRow> rows = runSweep(renderer, sweep, cache);
+    if (isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\033[K");
+    watch.requireSilence();
+
+    SweepManifest manifest;
+    manifest.commandLine = options.commandLine;
+    manifest.commit = TIMESHADE_COMMIT;
+    manifest.processor = processorName();
+    manifest.backEnd = context->backEnd();
+    manifest.device = renderer.device();
+    manifest.settings = settingLines(sweep.techniques, options);
+    writeSweepReport(folder, manifest, rows);
+    fmt::print("{}\n", std::filesystem::absolute(folder / "report.md").lexically_normal().string());
+    return 0;
+}
+
+} // namespace timeshade

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <array>
+
+#include "panels/panels.h"
+#include "panels/theme.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr ImGuiWindowFlags boxFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+/// A box over the picture; (0.5, 0.5) is its middle. Its text wraps within the picture.
+void beginBox(const char* name, const Area& picture, ImVec2 place, float width, const ImVec4& border) {
+    ImGui::SetNextWindowPos({picture.position.x + place.x * picture.size.x, picture.position.y + place.y * picture.size.y}, ImGuiCond_Always, place);
+    ImGui::SetNextWindowSizeConstraints({1.0f, 1.0f}, {std::max(1.0f, picture.size.x), std::max(1.0f, picture.size.y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f);
+    ImGui::PushStyleColor(ImGuiCol_Border, border);
+    ImGui::SetNextWindowBgAlpha(0.94f);
+    ImGui::Begin(name, nullptr, boxFlags);
+    ImGui::PushTextWrapPos(std::min(width, std::max(40.0f, picture.size.x - 60.0f)));
+}
+
+void endBox() {
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+void drawFailure(const Session& session, Widgets& widgets, const Area& picture) {
+    beginBox("failure", picture, {0.5f, 0.5f}, 420.0f * widgets.scale(), theme::bad);
+    ImGui::TextColored(theme::bad, "This frame can't be drawn");
+    ImGui::TextUnformatted(session.driver.failure().c_str());
+    widgets.dump().lastItem("failure", session.driver.failure());
+    ImGui::TextColored(theme::quiet, "Change the technique, the scene or a setting to go on.");
+    endBox();
+}
+
+void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
+    // A margin above the picture's lower edge.
+    Area inside = picture;
+    inside.size.y = std::max(1.0f, inside.size.y - 14.0f * widgets.scale());
+    beginBox("notice", inside, {0.5f, 1.0f}, 520.0f * widgets.scale(), session.notice->bad ? theme::bad : theme::accent);
+    ImGui::TextUnformatted(session.notice->text.c_str());
+    widgets.dump().lastItem("notice", session.notice->text);
+    endBox();
+}
+
+void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
+    static constexpr std::array<std::array<const char*, 2>, 12> keys{{{"space", "play or pause"},
+                                                                      {"left, right", "a frame back or on"},
+                                                                      {"1 .. 9", "technique"},
+                                                                      {"V", "next view"},
+                                                                      {"P", "save the picture"},
+                                                                      {"H", "hide or show the panels"},
+                                                                      {"R", "the scene's camera"},
+                                                                      {"drag", "orbit"},
+                                                                      {"right-drag", "pan (or Shift and drag)"},
+                                                                      {"wheel", "zoom"},
+                                                                      {"Ctrl-click", "type into a slider"},
+                                                                      {"Ctrl-Q", "quit"}}};
+    beginBox("keys", picture, {0.5f, 0.5f}, 600.0f * widgets.scale(), ImGui::GetStyle().Colors[ImGuiCol_Border]);
+    if (ImGui::BeginTable("keys", 2)) {
+        for (const auto& [key, meaning] : keys) {
+            ImGui::TableNextColumn();
+            ImGui::TextColored(theme::accent, "%s  ", key);
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(meaning);
+        }
+        ImGui::EndTable();
+    }
+    if (widgets.button("keys.close", "Close")) session.keysVisible = false;
+    endBox();
+}
+
+} // namespace
+
+void drawOverlays(Session& session, Widgets& widgets, const Area& picture) {
+    const float least = 60.0f * widgets.scale();
+    if (picture.size.x < least || picture.size.y < least) return;
+    if (session.driver.state() == FrameDriver::State::Failed) drawFailure(session, widgets, picture);
+    if (session.keysVisible) drawKeys(session, widgets, picture);
+    if (session.notice) drawNotice(session, widgets, picture);
+}
+
+} // namespace timeshade

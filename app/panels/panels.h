@@ -1,0 +1,26 @@
+#pragma once
+
+#include "panels/widgets.h"
+#include "window/layout.h"
+#include "window/session.h"
+
+namespace timeshade {
+
+/// The column on the left with everything that can be set.
+void drawSidePanel(Session& session, Widgets& widgets, const Area& area);
+/// Play, step and scrub, and below that what the picture is and how far it has got.
+void drawTransportBar(Session& session, Widgets& widgets, const Area& area);
+/// What lies over the picture: why there is none, a notice, the list of keys.
+void drawOverlays(Session& session, Widgets& widgets, const Area& picture);
+
+/// The sections of the side panel, from top to bottom.
+void drawHeader(Session& session, Widgets& widgets);
+void drawScenePanel(Session& session, Widgets& widgets);
+void drawTechniquePanel(Session& session, Widgets& widgets);
+void drawSamplingPanel(Session& session, Widgets& widgets);
+void drawViewPanel(Session& session, Widgets& widgets);
+void drawCameraPanel(Session& session, Widgets& widgets);
+void drawTimesPanel(Session& session, Widgets& widgets);
+void drawPlanPanel(Session& session, Widgets& widgets);
+
+} // namespace timeshade

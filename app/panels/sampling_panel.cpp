@@ -1,0 +1,73 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "panels/panels.h"
+
+namespace timeshade {
+
+namespace {
+
+void drawMapSize(Session& session, Widgets& widgets) {
+    std::vector<int> sizes;
+    for (int size = 64; size <= maximumMapSize; size *= 2) sizes.push_back(size);
+    int& mapSize = session.request.mapSize;
+    if (std::find(sizes.begin(), sizes.end(), mapSize) == sizes.end()) sizes.push_back(mapSize);
+    std::vector<std::string> names;
+    for (const int size : sizes) names.push_back(fmt::format("{0} × {0}", size));
+    const auto current = static_cast<std::size_t>(std::find(sizes.begin(), sizes.end(), mapSize) - sizes.begin());
+    if (const auto chosen = widgets.combo("map", "Light's map", names, current, "Texels of the light's map. Finer shadows; memory and time grow with the square."))
+        mapSize = sizes[*chosen];
+}
+
+void drawShutter(Session& session, Widgets& widgets) {
+    const SceneDefaults& defaults = session.scene->defaults();
+    Shutter shutter = session.request.shutter;
+    Widgets::Number length;
+    length.maximum = shutter.length > 2.0 ? 16.0 : 2.0;
+    length.most = 16.0;
+    length.format = fmt::format("%.2f frames, {:.0f}°", 360.0 * shutter.length);
+    length.defaultValue = defaults.shutterLength;
+    length.help = "How long the shutter is open. 1 frame is 360 degrees; film uses half of that. Ctrl-click to type up to 16.";
+    bool changed = widgets.slider("shutter", "Shutter", shutter.length, length);
+
+    const auto position = widgets.combo("shutter.position", "Position", {"start", "centre", "end"}, static_cast<std::size_t>(shutter.position),
+                                        "Where the frame's instant lies in the time that the shutter is open.");
+    if (position) shutter.position = static_cast<ShutterPosition>(*position);
+
+    Widgets::Number rate;
+    rate.minimum = 1.0;
+    rate.maximum = 120.0;
+    rate.least = 0.1;
+    rate.most = 10000.0;
+    rate.format = "%.4g a second";
+    rate.logarithmic = true;
+    rate.defaultValue = defaults.framesPerSecond;
+    rate.help = "Frames per second. Fewer make each frame, and so the blur, longer.";
+    changed = widgets.slider("fps", "Frames", shutter.framesPerSecond, rate) || changed;
+    if (changed || position) session.setShutter(shutter);
+}
+
+} // namespace
+
+void drawSamplingPanel(Session& session, Widgets& widgets) {
+    if (!widgets.section("section.sampling", "Sampling and shutter", true)) return;
+    Widgets::Number samples;
+    samples.minimum = 1.0;
+    samples.maximum = maximumSamplesPerPixel;
+    samples.format = "%d a pixel";
+    samples.defaultValue = 8.0;
+    samples.help = "Camera samples of each pixel, one per stratum of the shutter. Less noise; time in proportion. Brute force draws as many as it has renders.";
+    widgets.slider("spp", "Samples", session.request.samplesPerPixel, samples);
+    drawMapSize(session, widgets);
+    drawShutter(session, widgets);
+    Widgets::Number seed;
+    seed.maximum = 100.0;
+    seed.format = "%d";
+    seed.help = "Of all random numbers. The same seed gives the same picture.";
+    int value = static_cast<int>(std::min(session.request.seed, 0x7fffffffu));
+    if (value > 100) seed.maximum = value;
+    if (widgets.slider("seed", "Seed", value, seed)) session.request.seed = static_cast<std::uint32_t>(value);
+}
+
+} // namespace timeshade

@@ -1,0 +1,33 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "panels/panels.h"
+#include "panels/theme.h"
+#include "scene_catalogue.h"
+
+namespace timeshade {
+
+void drawScenePanel(Session& session, Widgets& widgets) {
+    if (!widgets.section("section.scene", "Scene", true)) return;
+    std::vector<std::string> names;
+    for (const BuiltInScene& scene : builtInScenes()) names.push_back(scene.name);
+    auto current = static_cast<std::size_t>(std::find(names.begin(), names.end(), session.sceneName) - names.begin());
+    const bool builtIn = current < names.size();
+    if (!builtIn) names.push_back(std::filesystem::path(session.sceneName).filename().string());
+    if (const auto chosen = widgets.combo("scene", "", names, current, ""))
+        if (*chosen != current) session.wishedScene = names[*chosen];
+    if (builtIn) widgets.paragraph(builtInScenes()[current].summary, theme::quiet);
+
+    const float width = 52.0f * widgets.scale();
+    const bool entered = widgets.field("scene.path", "path of a .gltf or .glb file", session.scenePath, width + ImGui::GetStyle().ItemSpacing.x);
+    ImGui::SameLine();
+    const bool pressed = widgets.button("scene.open", "Open", width);
+    if ((entered || pressed) && !session.scenePath.empty()) session.wishedScene = session.scenePath;
+    if (!session.sceneError.empty()) {
+        widgets.paragraph(session.sceneError, theme::bad);
+        widgets.dump().lastItem("scene.error", session.sceneError);
+    }
+    for (const std::string& note : session.scene->notes()) widgets.paragraph("note: " + note, theme::warning);
+}
+
+} // namespace timeshade

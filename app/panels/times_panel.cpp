@@ -1,0 +1,65 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "panels/panels.h"
+#include "panels/theme.h"
+#include "report.h"
+
+namespace timeshade {
+
+namespace {
+
+std::string milliseconds(double value) { return value < 10.0 ? fmt::format("{:.2f} ms", value) : fmt::format("{:.1f} ms", value); }
+
+/// A figure with a bar behind it that shows its share of the total.
+void drawTime(Widgets& widgets, const std::string& id, const std::string& name, double value, double total) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float left = 70.0f * widgets.scale(), right = 80.0f * widgets.scale();
+    const float room = std::max(0.0f, ImGui::GetContentRegionAvail().x - left - right);
+    const float length = total > 0.0 ? room * static_cast<float>(std::clamp(value / total, 0.0, 1.0)) : 0.0f;
+    const float inset = 4.0f * widgets.scale();
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x + left, corner.y + inset},
+                                              {corner.x + left + length, corner.y + ImGui::GetTextLineHeight() - inset + 1.0f},
+                                              ImGui::GetColorU32(ImVec4(0.30f, 0.45f, 0.60f, 1.0f)), 2.0f * widgets.scale());
+    widgets.figure(id, name, milliseconds(value));
+}
+
+void drawTimes(Session& session, Widgets& widgets) {
+    const FrameTimes& times = session.driver.times();
+    if (times.frames() == 0 || !session.driver.hasPlan()) {
+        widgets.paragraph("no data", theme::quiet);
+        widgets.dump().lastItem("times.none", true);
+        return;
+    }
+    const double total = times.medianTotal();
+    for (const auto& reading : times.medians()) drawTime(widgets, "times." + reading.name, reading.name, reading.milliseconds, total);
+    widgets.figure("times.total", "total", milliseconds(total));
+    const FrameRequest& drawn = session.renderer.plan().request;
+    const char* what = session.renderer.renders() > 1 ? "render" : "frame";
+    const std::string over = times.frames() == 1 ? fmt::format("one {}", what) : fmt::format("median of {} {}s", times.frames(), what);
+    widgets.paragraph(fmt::format("{}, {} × {}{}", over, drawn.width, drawn.height, session.driver.preview() ? " preview" : ""), theme::quiet);
+}
+
+void drawMemory(Session& session, Widgets& widgets) {
+    if (!session.driver.hasPlan()) {
+        widgets.paragraph("no data", theme::quiet);
+        return;
+    }
+    const GpuMemory memory = session.renderer.memory();
+    widgets.figure("memory.mesh", "mesh", inMebibytes(memory.mesh));
+    widgets.figure("memory.samples", "samples", inMebibytes(memory.samples));
+    widgets.figure("memory.visibility", "visibility", inMebibytes(memory.visibility));
+    widgets.figure("memory.technique", "technique", inMebibytes(memory.technique));
+    widgets.figure("memory.picture", "picture", inMebibytes(memory.picture));
+    widgets.figure("memory.total", "total", inMebibytes(memory.total()));
+}
+
+} // namespace
+
+void drawTimesPanel(Session& session, Widgets& widgets) {
+    if (widgets.section("section.times", "Time", true)) drawTimes(session, widgets);
+    if (widgets.section("section.memory", "GPU memory", false)) drawMemory(session, widgets);
+}
+
+} // namespace timeshade

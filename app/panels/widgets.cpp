@@ -1,0 +1,220 @@
+#include "panels/widgets.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <imgui_stdlib.h>
+
+#include "panels/theme.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr float labelWidth = 104.0f, marksWidth = 42.0f;
+
+void tooltip(const std::string& text) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void drawTriangle(ImVec2 centre, float radius, float direction, ImU32 color) {
+    const float x = radius * direction;
+    ImGui::GetWindowDrawList()->AddTriangleFilled({centre.x - 0.7f * x, centre.y - radius}, {centre.x + x, centre.y},
+                                                  {centre.x - 0.7f * x, centre.y + radius}, color);
+}
+
+void drawBar(ImVec2 centre, float offset, float radius, ImU32 color) {
+    const float half = 0.22f * radius;
+    ImGui::GetWindowDrawList()->AddRectFilled({centre.x + offset - half, centre.y - radius}, {centre.x + offset + half, centre.y + radius}, color);
+}
+
+void drawIcon(Icon icon, ImVec2 centre, float radius, ImU32 color) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float thickness = std::max(1.0f, 0.3f * radius);
+    switch (icon) {
+    case Icon::Play: drawTriangle(centre, radius, 1.0f, color); return;
+    case Icon::Pause:
+        drawBar(centre, -0.45f * radius, radius, color);
+        drawBar(centre, 0.45f * radius, radius, color);
+        return;
+    case Icon::StepBack:
+        drawTriangle({centre.x + 0.2f * radius, centre.y}, 0.85f * radius, -1.0f, color);
+        drawBar(centre, -0.9f * radius, 0.85f * radius, color);
+        return;
+    case Icon::StepForward:
+        drawTriangle({centre.x - 0.2f * radius, centre.y}, 0.85f * radius, 1.0f, color);
+        drawBar(centre, 0.9f * radius, 0.85f * radius, color);
+        return;
+    case Icon::Reset:
+        list.PathArcTo(centre, radius, -0.9f, 4.2f, 20);
+        list.PathStroke(color, 0, thickness);
+        list.AddTriangleFilled({centre.x + 0.05f * radius, centre.y - 1.05f * radius}, {centre.x + 1.05f * radius, centre.y - 1.35f * radius},
+                               {centre.x + 1.05f * radius, centre.y - 0.2f * radius}, color);
+        return;
+    case Icon::Close:
+        list.AddLine({centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}, color, thickness);
+        list.AddLine({centre.x - radius, centre.y + radius}, {centre.x + radius, centre.y - radius}, color, thickness);
+        return;
+    }
+}
+
+} // namespace
+
+std::string titleOfKey(const std::string& key) {
+    std::string title = key;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    return title;
+}
+
+bool Widgets::section(const std::string& id, const char* title, bool open) {
+    ImGui::Dummy({0.0f, 1.0f * scale_});
+    const bool unfolded = ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    dump_.lastItem(id, unfolded);
+    return unfolded;
+}
+
+void Widgets::beginRow(const std::string& label) {
+    const float start = ImGui::GetCursorPosX();
+    const float inner = ImGui::GetContentRegionAvail().x;
+    if (!label.empty()) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(label.c_str());
+        ImGui::SameLine(start + labelWidth * scale_);
+    }
+    const float used = label.empty() ? 0.0f : labelWidth * scale_;
+    ImGui::SetNextItemWidth(std::max(20.0f * scale_, inner - used - marksWidth * scale_));
+}
+
+void Widgets::help(const std::string& text) {
+    if (text.empty()) return;
+    ImGui::SameLine();
+    ImGui::TextColored(theme::quiet, "(?)");
+    if (ImGui::IsItemHovered()) tooltip(text);
+}
+
+bool Widgets::reset(const std::string& id, bool differs) {
+    if (!differs) return false;
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 15.0f * scale_);
+    return iconButton(id + ".reset", Icon::Reset, "back to the default", 15.0f * scale_);
+}
+
+bool Widgets::slider(const std::string& id, const std::string& label, double& value, const Number& number) {
+    beginRow(label);
+    const double before = value;
+    ImGuiSliderFlags flags = number.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    ImGui::SliderScalar(("##" + id).c_str(), ImGuiDataType_Double, &value, &number.minimum, &number.maximum, number.format.c_str(), flags);
+    value = std::isfinite(value) ? std::clamp(value, number.least.value_or(number.minimum), number.most.value_or(number.maximum)) : before;
+    dump_.lastItem(id, value);
+    help(number.help);
+    if (number.defaultValue && reset(id, std::abs(value - *number.defaultValue) > 1e-6 * std::max(1.0, std::abs(value)))) value = *number.defaultValue;
+    return value != before;
+}
+
+bool Widgets::slider(const std::string& id, const std::string& label, int& value, const Number& number) {
+    beginRow(label);
+    const int before = value, low = static_cast<int>(number.minimum), high = static_cast<int>(number.maximum);
+    const ImGuiSliderFlags flags = number.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    ImGui::SliderInt(("##" + id).c_str(), &value, low, high, number.format.c_str(), flags);
+    value = std::clamp(value, low, high);
+    dump_.lastItem(id, value);
+    help(number.help);
+    if (number.defaultValue && reset(id, value != static_cast<int>(*number.defaultValue))) value = static_cast<int>(*number.defaultValue);
+    return value != before;
+}
+
+bool Widgets::checkbox(const std::string& id, const std::string& label, bool& value, bool defaultValue, const std::string& helpText) {
+    beginRow(label);
+    const bool before = value;
+    ImGui::Checkbox(("##" + id).c_str(), &value);
+    dump_.lastItem(id, value);
+    help(helpText);
+    if (reset(id, value != defaultValue)) value = defaultValue;
+    return value != before;
+}
+
+std::optional<std::size_t> Widgets::combo(const std::string& id, const std::string& label, const std::vector<std::string>& entries,
+                                          std::size_t current, const std::string& helpText) {
+    std::optional<std::size_t> chosen;
+    beginRow(label);
+    if (label.empty() && helpText.empty()) ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    const std::string shown = current < entries.size() ? entries[current] : "";
+    const bool open = ImGui::BeginCombo(("##" + id).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
+    if (!open) dump_.lastItem(id, shown);
+    if (open) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            if (ImGui::Selectable(entries[i].c_str(), i == current)) chosen = i;
+            dump_.lastItem(id + "/" + entries[i], i == current);
+            ImGui::PopID();
+        }
+        ImGui::EndCombo();
+    }
+    help(helpText);
+    return chosen;
+}
+
+std::optional<std::size_t> Widgets::choice(const std::string& id, const std::vector<std::string>& entries, std::size_t current) {
+    std::optional<std::size_t> chosen;
+    const float gap = 2.0f * scale_;
+    const float count = static_cast<float>(entries.size());
+    const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1.0f)) / count;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (i > 0) ImGui::SameLine(0.0f, gap);
+        const bool down = i == current;
+        if (down) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.23f, 0.38f, 0.53f, 1.0f));
+        if (ImGui::Button((entries[i] + "##" + id).c_str(), {std::max(width, 1.0f), 0.0f})) chosen = i;
+        if (down) ImGui::PopStyleColor();
+        dump_.lastItem(id + "/" + entries[i], down);
+    }
+    return chosen;
+}
+
+bool Widgets::button(const std::string& id, const std::string& text, float width) {
+    const bool pressed = ImGui::Button((text + "##" + id).c_str(), {width, 0.0f});
+    dump_.lastItem(id, text);
+    return pressed;
+}
+
+bool Widgets::iconButton(const std::string& id, Icon icon, const char* tip, float side) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = std::max(side, ImGui::GetFrameHeight());
+    const bool pressed = ImGui::InvisibleButton(id.c_str(), {side, height});
+    const bool hovered = ImGui::IsItemHovered();
+    dump_.lastItem(id, tip);
+    drawIcon(icon, {corner.x + 0.5f * side, corner.y + 0.5f * height}, 0.28f * side, ImGui::GetColorU32(hovered ? theme::accent : theme::text));
+    if (hovered) tooltip(tip);
+    return pressed;
+}
+
+bool Widgets::field(const std::string& id, const char* hint, std::string& text, float reserved) {
+    ImGui::SetNextItemWidth(std::max(20.0f * scale_, ImGui::GetContentRegionAvail().x - reserved));
+    const bool entered = ImGui::InputTextWithHint(("##" + id).c_str(), hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+    dump_.lastItem(id, text);
+    return entered;
+}
+
+void Widgets::paragraph(const std::string& text, const ImVec4& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void Widgets::figure(const std::string& id, const std::string& label, const std::string& value) {
+    ImGui::TextColored(theme::quiet, "%s", label.c_str());
+    ImGui::SameLine();
+    const float right = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x;
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right));
+    ImGui::TextUnformatted(value.c_str());
+    dump_.lastItem(id, value);
+}
+
+} // namespace timeshade

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace timeshade {
+
+/// Progress of brute force on standard error where that is a terminal: one line that is written over and wiped at the end.
+class Progress {
+  public:
+    explicit Progress(int steps);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void update(int done) const;
+
+  private:
+    bool shown_;
+    int steps_;
+};
+
+} // namespace timeshade

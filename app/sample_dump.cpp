@@ -1,0 +1,75 @@
+#include "sample_dump.h"
+
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+
+namespace timeshade {
+
+namespace {
+void appendVector(std::string& text, const glm::dvec3& v) {
+    fmt::format_to(std::back_inserter(text), ",{:.9g},{:.9g},{:.9g}", v.x, v.y, v.z);
+}
+} // namespace
+
+SampleDump::SampleDump(const std::filesystem::path& folder, const FramePlan& plan)
+    : folder_(folder), part_(folder.string() + ".part"), samples_("px,py,k,u,id,x,y,z,tested,lit\n") {
+    std::error_code failure;
+    if (std::filesystem::exists(folder_, failure) && !std::filesystem::is_empty(folder_, failure))
+        throw Error(fmt::format("--dump {}: is there already; expected a new or an empty folder", folder_.string()));
+    std::filesystem::remove_all(part_, failure);
+    std::filesystem::create_directories(part_, failure);
+    if (failure) throw Error(fmt::format("--dump {}: cannot be made ({})", folder_.string(), failure.message()));
+    writeTriangles(plan);
+    writeLight(plan);
+}
+
+SampleDump::~SampleDump() {
+    std::error_code ignored;
+    if (!finished_) std::filesystem::remove_all(part_, ignored);
+}
+
+void SampleDump::writeTriangles(const FramePlan& plan) const {
+    std::string text = "id,x0,y0,z0,x1,y1,z1,x2,y2,z2,x0_close,y0_close,z0_close,x1_close,y1_close,z1_close,x2_close,y2_close,z2_close\n";
+    const auto& triangles = plan.mesh->topology->triangles;
+    for (std::size_t id = 0; id < triangles.size(); ++id) {
+        fmt::format_to(std::back_inserter(text), "{}", id);
+        for (std::size_t end = 0; end < 2; ++end)
+            for (int corner = 0; corner < 3; ++corner)
+                appendVector(text, glm::dvec3(plan.texels->vertices[2 * std::size_t{triangles[id][corner]} + end]));
+        text += "\n";
+    }
+    writeFileAtomically(part_ / "triangles.csv", text);
+}
+
+void SampleDump::writeLight(const FramePlan& plan) const {
+    std::string text = "x0,y0,z0,x1,y1,z1,axis_x,axis_y,axis_z,cos_half_angle\n";
+    const bool directional = plan.lightOpen.kind == LightKind::Directional;
+    const glm::dvec3 direction = -plan.lightOpen.axes[2];
+    std::string line;
+    appendVector(line, directional ? direction : plan.lightOpen.position - plan.origin);
+    appendVector(line, directional ? direction : plan.lightClose.position - plan.origin);
+    appendVector(line, direction);
+    text += line.substr(1) + fmt::format(",{:.9g}\n", directional ? -2.0 : std::cos(plan.lightOpen.outerConeAngle));
+    writeFileAtomically(part_ / "light.csv", text);
+}
+
+void SampleDump::add(const VerifiedSample& s) {
+    fmt::format_to(std::back_inserter(samples_), "{},{},{},{:.9g},{}", s.index.x, s.index.y, s.index.stratum, s.truth.time, s.triangle);
+    appendVector(samples_, s.truth.position);
+    fmt::format_to(std::back_inserter(samples_), ",{},{:.9g}\n", s.truth.tested ? 1 : 0, s.lit);
+}
+
+void SampleDump::finish() {
+    writeFileAtomically(part_ / "samples.csv", samples_);
+    std::error_code failure;
+    std::filesystem::remove(folder_, failure);  // empty, as the constructor has seen
+    std::filesystem::rename(part_, folder_, failure);
+    if (failure) throw Error(fmt::format("--dump {}: cannot be made ({})", folder_.string(), failure.message()));
+    finished_ = true;
+}
+
+} // namespace timeshade

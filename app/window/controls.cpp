@@ -1,0 +1,65 @@
+#include "window/controls.h"
+
+#include <cmath>
+
+#define GLFW_INCLUDE_NONE  // glad declares OpenGL
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include "techniques/registry.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr double radiansPerHeight = 3.0;  // of a drag over the whole height of the picture
+constexpr double zoomPerNotch = 0.88;
+
+void applyKey(Session& session, int key) {
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
+        const auto index = static_cast<std::size_t>(key - GLFW_KEY_1);
+        if (index < techniqueDescriptions().size()) session.wishedTechnique = techniqueDescriptions()[index].name;
+        return;
+    }
+    switch (key) {
+    case GLFW_KEY_SPACE: session.playback.play(!session.playback.playing()); return;
+    case GLFW_KEY_LEFT: session.playback.step(-1); return;
+    case GLFW_KEY_RIGHT: session.playback.step(1); return;
+    case GLFW_KEY_V: session.view = session.view == View::Final ? View::Visibility : View::Final; return;
+    case GLFW_KEY_P: session.wishedScreenshot = true; return;
+    case GLFW_KEY_H: session.panelsVisible = !session.panelsVisible; return;
+    case GLFW_KEY_R: session.useSceneCamera(session.request.cameraIndex); return;
+    case GLFW_KEY_F1: session.keysVisible = !session.keysVisible; return;
+    default: return;
+    }
+}
+
+} // namespace
+
+bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
+    for (const KeyPress& press : keys) {
+        if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL) != 0) return true;
+        const bool typing = ImGui::GetIO().WantTextInput;
+        if (!typing && (press.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0) applyKey(session, press.key);
+    }
+    return false;
+}
+
+void PictureMouse::apply(Session& session, const Area& picture) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+    const bool pressed = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+    if (pressed && !io.WantCaptureMouse) dragging_ = true;
+    if (!down) dragging_ = false;
+    const double height = std::max(1.0, static_cast<double>(picture.size.y));
+    const double dx = static_cast<double>(io.MouseDelta.x) / height, dy = static_cast<double>(io.MouseDelta.y) / height;
+    if (dragging_ && !pressed && (dx != 0.0 || dy != 0.0)) {
+        if (io.MouseDown[0] && !io.KeyShift)
+            session.freeCamera().orbit(-radiansPerHeight * dx, radiansPerHeight * dy);
+        else
+            session.freeCamera().pan(-dx, dy);
+    }
+    if (io.MouseWheel != 0.0f && !io.WantCaptureMouse) session.freeCamera().zoom(std::pow(zoomPerNotch, static_cast<double>(io.MouseWheel)));
+}
+
+} // namespace timeshade

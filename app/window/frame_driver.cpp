@@ -1,0 +1,151 @@
+#include "window/frame_driver.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace timeshade {
+
+namespace {
+
+/// How long nothing must change before the full picture is drawn. Only for pictures that are slow.
+constexpr double settleSeconds = 0.35;
+constexpr double budgetMilliseconds = 30.0;
+
+double milliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void append(std::vector<double>& key, const glm::dvec3& v) { key.insert(key.end(), {v.x, v.y, v.z}); }
+
+/// What decides how long a picture takes, apart from the view.
+std::vector<double> methodKeyOf(const FrameDriver::Wanted& wanted) {
+    const FrameRequest& r = wanted.request;
+    std::vector<double> key{double(wanted.scene), double(r.width), double(r.height), double(r.samplesPerPixel), double(r.mapSize)};
+    for (const Setting& setting : settingsOf(*wanted.technique)) key.push_back(setting.get());
+    return key;
+}
+
+std::vector<double> frameKeyOf(const FrameDriver::Wanted& wanted) {
+    const FrameRequest& r = wanted.request;
+    std::vector<double> key{double(wanted.view), double(r.seed), r.frame, r.shutter.framesPerSecond, r.shutter.length,
+                            double(r.shutter.position), double(r.cameraIndex)};
+    if (r.cameraPose) {
+        append(key, r.cameraPose->eye);
+        for (int i = 0; i < 3; ++i) append(key, r.cameraPose->axes[i]);
+        key.insert(key.end(), {r.cameraPose->verticalFieldOfView, r.cameraPose->nearDistance});
+    }
+    return key;
+}
+
+} // namespace
+
+FrameDriver::FrameDriver(FrameRenderer& renderer) : renderer_(renderer), quality_(renderer.device().software) {}
+
+bool FrameDriver::noticeChange(const Wanted& wanted, double now) {
+    std::vector<double> method = methodKeyOf(wanted), frame = frameKeyOf(wanted);
+    const bool otherTechnique = techniqueName_ != wanted.technique->description().name;
+    const bool otherMethod = otherTechnique || method != methodKey_;
+    if (!otherMethod && frame == frameKey_) return false;
+    if (otherMethod) forgetTimes();
+    // Sliders change the cost a little at a time, and the ladder follows; these change it at once.
+    if (otherTechnique || methodKey_.empty() || method.front() != methodKey_.front()) quality_.forget();
+    techniqueName_ = wanted.technique->description().name;
+    methodKey_ = std::move(method);
+    frameKey_ = std::move(frame);
+    lastChange_ = now;
+    return true;
+}
+
+bool FrameDriver::update(const Wanted& wanted, double now) {
+    const bool changed = noticeChange(wanted, now);
+    const bool moving = !wanted.hurry && (wanted.moving || now - lastChange_ < settleSeconds);
+    refine_ = refine_ || changed;
+    const int level = moving ? quality_.level() : 0;
+    const bool better = refine_ && !moving && state_ != State::Failed;
+    if (changed || better) {
+        begin(wanted, level);
+    } else if (state_ != State::Drawing) {
+        return false;
+    }
+    if (state_ == State::Drawing) draw();
+    return true;
+}
+
+void FrameDriver::begin(const Wanted& wanted, int level) {
+    const double start = milliseconds();
+    if (level != level_) forgetTimes();
+    level_ = level;
+    refine_ = level > 0;
+    ++begun_;
+    try {
+        picture_ = nullptr;
+        hasPlan_ = false;
+        FramePlan plan = wanted.planner->plan(quality_.reduced(wanted.request, level));
+        renderer_.begin(std::move(plan), *wanted.technique, wanted.view);
+        hasPlan_ = true;
+        renderer_.step();
+    } catch (const std::exception& error) {
+        fail(error.what());
+        return;
+    }
+    state_ = State::Drawing;
+    readTimes();
+    double cost = milliseconds() - start;
+    if (times_.frames() > 0) cost = std::max(cost, times_.medianTotal());
+    quality_.measured(level, cost);
+}
+
+void FrameDriver::draw() {
+    const double start = milliseconds();
+    try {
+        while (!renderer_.complete() && milliseconds() - start < budgetMilliseconds) {
+            renderer_.step();
+            readTimes();
+        }
+        const gl::Texture& picture = renderer_.displayTexture();
+        picture.setFilters(GL_LINEAR, GL_LINEAR);
+        picture_ = &picture;
+    } catch (const std::exception& error) {
+        fail(error.what());
+        return;
+    }
+    state_ = renderer_.complete() ? State::Complete : State::Drawing;
+}
+
+void FrameDriver::readTimes() {
+    // A picture that is drawn once and then stays would leave its figures waiting in the queue for ever.
+    if (renderer_.complete())
+        times_.add(renderer_.timer().finishFrame());
+    else if (const auto readings = renderer_.timer().endFrame())
+        times_.add(*readings);
+}
+
+void FrameDriver::forgetTimes() {
+    renderer_.timer().finishFrame();  // figures still on their way belong to what was drawn before
+    times_.reset();
+}
+
+void FrameDriver::fail(const char* what) {
+    failure_ = what;
+    state_ = State::Failed;
+    refine_ = false;
+    picture_ = nullptr;
+}
+
+void FrameDriver::cancel() {
+    if (state_ != State::Drawing) return;
+    state_ = State::Cancelled;
+    refine_ = false;
+}
+
+void FrameDriver::resume() {
+    if (state_ == State::Cancelled) state_ = State::Drawing;
+}
+
+std::optional<double> FrameDriver::sleep(double now) const {
+    if (state_ == State::Drawing) return 0.0;
+    if (refine_) return std::max(0.0, settleSeconds - (now - lastChange_));
+    return std::nullopt;
+}
+
+} // namespace timeshade

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "gl/pass_timer.h"
+
+namespace timeshade {
+
+/// Median times of the last few frames that were drawn alike. Empty ("no data") until a frame's figures have come.
+class FrameTimes {
+  public:
+    static constexpr std::size_t kept = 15;
+
+    void add(const std::vector<gl::PassTimer::Reading>& readings);
+    void reset() { frames_.clear(); }
+
+    std::size_t frames() const { return frames_.size(); }
+    /// One a pass, in order of drawing.
+    std::vector<gl::PassTimer::Reading> medians() const;
+    /// Median of the frames' sums, which is not the sum of the medians.
+    double medianTotal() const;
+
+  private:
+    std::deque<std::vector<gl::PassTimer::Reading>> frames_;
+};
+
+double totalOf(const std::vector<gl::PassTimer::Reading>& readings);
+
+} // namespace timeshade

@@ -1,0 +1,53 @@
+#include "window/preview_quality.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace timeshade {
+
+namespace {
+struct Level {
+    double side;  ///< of the picture, relative to all of it
+    int samplesDivisor;
+    int mapDivisor;
+};
+constexpr std::array<Level, PreviewQuality::levels> ladder{
+    {{1.0, 1, 1}, {0.7, 1, 1}, {0.5, 1, 1}, {0.5, 2, 1}, {0.35, 2, 2}, {0.35, 4, 4}, {0.25, 4, 4}, {0.2, 8, 8}}};
+constexpr double fastMilliseconds = 50.0;
+// Below these nothing can be recognised any more.
+constexpr int leastSamples = 2, leastMap = 256, leastSide = 96;
+
+int reducedTo(int full, int divisor, int least) { return std::min(full, std::max(full / divisor, least)); }
+
+/// How many levels up are worth trying at once.
+int stepFor(double milliseconds) {
+    if (milliseconds > 16.0 * PreviewQuality::slowMilliseconds) return 5;
+    if (milliseconds > 8.0 * PreviewQuality::slowMilliseconds) return 4;
+    if (milliseconds > 4.0 * PreviewQuality::slowMilliseconds) return 3;
+    if (milliseconds > 2.0 * PreviewQuality::slowMilliseconds) return 2;
+    return 1;
+}
+} // namespace
+
+FrameRequest PreviewQuality::reduced(FrameRequest full, int level) const {
+    const Level& l = ladder[static_cast<std::size_t>(level)];
+    const double least = std::min(1.0, leastSide / static_cast<double>(std::max({full.width, full.height, 1})));
+    const double side = std::max(l.side, least);
+    full.width = std::max(1, static_cast<int>(std::lround(full.width * side)));
+    full.height = std::max(1, static_cast<int>(std::lround(full.height * side)));
+    full.samplesPerPixel = reducedTo(full.samplesPerPixel, l.samplesDivisor, leastSamples);
+    full.mapSize = reducedTo(full.mapSize, l.mapDivisor, leastMap);
+    return full;
+}
+
+void PreviewQuality::measured(int level, double milliseconds) {
+    cost_[static_cast<std::size_t>(level)] = milliseconds;
+    if (milliseconds > slowMilliseconds) {
+        level_ = std::min(std::max(level_, level + stepFor(milliseconds)), levels - 1);
+    } else if (milliseconds < fastMilliseconds && level == level_ && level > 0) {
+        const std::optional<double>& below = cost_[static_cast<std::size_t>(level - 1)];
+        if (!below || *below <= slowMilliseconds) level_ = level - 1;
+    }
+}
+
+} // namespace timeshade

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frame/frame_renderer.h"
+#include "options.h"
+#include "scene/scene.h"
+#include "techniques/technique.h"
+#include "window/frame_driver.h"
+#include "window/orbit_camera.h"
+#include "window/playback.h"
+
+namespace timeshade {
+
+/// A line that is shown over the picture for a few seconds.
+struct Notice {
+    std::string text;
+    bool bad = false;
+    double shownUntil = 0.0;  ///< seconds of the window's clock
+};
+
+/// All that the window knows; the panels read it and change it. Opening a scene and choosing a technique are only
+/// asked for by the panels and done between two frames, when nobody looks at the old ones.
+struct Session {
+    Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName);
+
+    /// Does what was asked for since the last frame.
+    void applyWishes();
+    /// Moves the clock on. `now` in seconds.
+    void advance(double now);
+    FrameDriver::Wanted wanted(bool mouseHeld);
+
+    CameraPose currentPose() const;
+    /// Takes the camera into the user's hand, from where it is.
+    OrbitCamera& freeCamera();
+    void useSceneCamera(std::size_t index);
+    void setShutter(const Shutter& shutter);
+    void notify(std::string text, bool bad = false);
+    /// "timeshade-SCENE-TECHNIQUE-0012.png"
+    std::string screenshotName() const;
+
+    Options options;      ///< as given; what belongs to the first scene alone is cleared when another is opened
+    std::string backEnd;  ///< of the window's context
+    FrameRenderer renderer;
+    FrameDriver driver;
+
+    std::string sceneName;  ///< as on the command line
+    std::unique_ptr<Scene> scene;
+    std::unique_ptr<FramePlanner> planner;
+    int sceneNumber = 0;
+    std::string scenePath;   ///< what is typed in the field
+    std::string sceneError;  ///< one line, why the last one could not be opened
+
+    std::unique_ptr<Technique> technique;
+    std::map<std::string, std::vector<double>> keptSettings;  ///< of techniques that are not chosen now
+
+    FrameRequest request;  ///< width and height are those of the picture's place in the window
+    View view = View::Final;
+    Playback playback;
+    std::optional<OrbitCamera> camera;  ///< while the camera is not the scene's own
+    std::vector<SavedView> savedViews;
+
+    std::optional<std::string> wishedScene, wishedTechnique;
+    bool wishedScreenshot = false;
+    bool panelsVisible = true;
+    bool keysVisible = false;
+    double textScale = 1.0;  ///< the user's own, on top of the display's
+    std::string lastScreenshot;
+    std::optional<Notice> notice;
+    double now = 0.0;
+
+  private:
+    void adopt(std::unique_ptr<Scene> newScene, const std::string& name);
+    void openWished(const std::string& name);
+    void chooseWished(const std::string& name);
+};
+
+} // namespace timeshade

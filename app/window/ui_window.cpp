@@ -1,0 +1,113 @@
+#include "window/ui_window.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include <glad/gl.h>
+#define GLFW_INCLUDE_NONE  // glad declares OpenGL
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include "panels/theme.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr float fontHeight = 15.0f;  // pixels on a display of ordinary density
+constexpr const char* textFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+/// What the display asks for, or TIMESHADE_UI_SCALE where that is set.
+float displayScale(GLFWwindow* window) {
+    if (const char* text = std::getenv("TIMESHADE_UI_SCALE")) {
+        char* end = nullptr;
+        const float forced = std::strtof(text, &end);
+        if (end != text && *end == '\0' && std::isfinite(forced) && forced > 0.0f) return std::clamp(forced, 0.5f, 4.0f);
+    }
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window, &x, &y);
+    const float scale = std::max(x, y);
+    return std::isfinite(scale) && scale > 0.0f ? std::clamp(scale, 0.75f, 4.0f) : 1.0f;
+}
+
+/// Where the framebuffer is denser than the window's coordinates (macOS, Wayland), the display's scale is already in it.
+float framebufferScale(GLFWwindow* window) {
+    int width = 0, height = 0, pixelWidth = 0, pixelHeight = 0;
+    glfwGetWindowSize(window, &width, &height);
+    glfwGetFramebufferSize(window, &pixelWidth, &pixelHeight);
+    return width > 0 && pixelWidth > 0 ? static_cast<float>(pixelWidth) / static_cast<float>(width) : 1.0f;
+}
+
+} // namespace
+
+UiWindow::UiWindow(GLFWwindow* window) : window_(window), events_(window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+    glfwSwapInterval(1);
+}
+
+UiWindow::~UiWindow() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void UiWindow::rebuildFonts() {
+    static constexpr std::array<ImWchar, 13> ranges{0x20, 0x24f, 0x370, 0x3ff, 0x400, 0x52f, 0x2010, 0x205e, 0x2190, 0x21ff, 0x25a0, 0x25ff, 0};
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    std::error_code ignored;
+    if (!std::filesystem::exists(textFont, ignored) || atlas.AddFontFromFileTTF(textFont, fontPixels_, nullptr, ranges.data()) == nullptr) {
+        ImFontConfig config;
+        config.SizePixels = std::round(fontPixels_ * 13.0f / fontHeight);
+        atlas.AddFontDefault(&config);
+    }
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+}
+
+void UiWindow::beginFrame(double textScale) {
+    const float wanted = displayScale(window_) * static_cast<float>(textScale);
+    pixelsPerUnit_ = framebufferScale(window_);
+    const float layoutScale = wanted / pixelsPerUnit_;
+    const float fontPixels = std::round(fontHeight * wanted);
+    if (fontPixels != fontPixels_) {
+        fontPixels_ = fontPixels;
+        rebuildFonts();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+    if (layoutScale != layoutScale_) {
+        layoutScale_ = layoutScale;
+        applyTheme(layoutScale_);
+    }
+    ImGui::GetIO().FontGlobalScale = 1.0f / pixelsPerUnit_;
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void UiWindow::endFrame() {
+    ImGui::Render();
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    // The renderer leaves its own framebuffer, viewport and clip volume behind.
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);  // the picture is encoded already
+    glViewport(0, 0, width, height);
+    const ImVec4 background = theme::canvas;
+    glClearColor(background.x, background.y, background.z, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(window_);
+}
+
+} // namespace timeshade

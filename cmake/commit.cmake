@@ -1,0 +1,12 @@
+# Writes HEADER with the commit of SOURCE, or "unknown" outside a checkout or without git.
+execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE result)
+if(NOT result STREQUAL "0")
+  set(commit unknown)
+endif()
+set(text "#pragma once\n#define TIMESHADE_COMMIT \"${commit}\"\n")
+if(EXISTS ${HEADER})
+  file(READ ${HEADER} before)
+endif()
+if(NOT "${before}" STREQUAL "${text}")
+  file(WRITE ${HEADER} "${text}")
+endif()

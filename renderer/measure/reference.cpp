@@ -1,0 +1,111 @@
+#include "measure/reference.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "gl/shader_source.h"
+#include "measure/truth_technique.h"
+
+namespace timeshade {
+
+namespace {
+
+/// FNV-1a over bytes; the cache compares whole keys, so this only has to tell inputs apart.
+class Digest {
+  public:
+    void bytes(const void* data, std::size_t count) {
+        const auto* byte = static_cast<const unsigned char*>(data);
+        for (std::size_t i = 0; i < count; ++i) {
+            low_ = (low_ ^ byte[i]) * 0x100000001b3ULL;
+            high_ = (high_ + byte[i]) * 0x9e3779b97f4a7c15ULL ^ (high_ >> 29);
+        }
+    }
+    template <typename T>
+    void values(const std::vector<T>& vector) {
+        bytes(vector.data(), vector.size() * sizeof(T));
+    }
+    std::string text() const { return fmt::format("{:016x}{:016x}", low_, high_); }
+
+  private:
+    std::uint64_t low_ = 0xcbf29ce484222325ULL, high_ = 0x243f6a8885a308d3ULL;
+};
+
+std::string sceneDigest(const FramePlan& plan) {
+    Digest digest;
+    digest.values(plan.texels->positions);
+    digest.values(plan.texels->shading);
+    for (const Material& material : *plan.materials) {
+        digest.bytes(&material.baseColorFactor, sizeof material.baseColorFactor);
+        digest.bytes(&material.metallicFactor, sizeof material.metallicFactor);
+        digest.bytes(&material.roughnessFactor, sizeof material.roughnessFactor);
+        digest.bytes(&material.emissiveFactor, sizeof material.emissiveFactor);
+        digest.bytes(&material.baseColorImage, sizeof material.baseColorImage);
+        digest.bytes(&material.metallicRoughnessImage, sizeof material.metallicRoughnessImage);
+    }
+    for (const Image& image : *plan.images) digest.values(image.rgba);
+    return digest.text();
+}
+
+/// Shading, sampling and receivers: a change in any of these files changes the picture.
+std::string shaderDigest() {
+    Digest digest;
+    for (const char* file : {"passes/shade.frag", "passes/stochastic.frag"}) {
+        const std::string text = gl::readShader(file, {}).text;
+        digest.bytes(text.data(), text.size());
+    }
+    return digest.text();
+}
+
+int batchesOf(const ReferenceOptions& options) {
+    return std::max(1, (options.samplesPerPixel + maximumSamplesPerPixel - 1) / maximumSamplesPerPixel);
+}
+
+/// The same frame with the most strata that a frame takes, other random numbers, and its share of the weight.
+FramePlan batchPlan(const FramePlan& plan, int batch) {
+    FramePlan drawn = plan;
+    drawn.request.samplesPerPixel = maximumSamplesPerPixel;
+    drawn.block.strata = maximumSamplesPerPixel;
+    drawn.block.timeScale = 1.0f / static_cast<float>(maximumSamplesPerPixel);
+    // Seeds of their own, so that no image under test shares its noise with the reference.
+    drawn.block.seed = 0x7ef00000u + static_cast<std::uint32_t>(batch);
+    return drawn;
+}
+
+} // namespace
+
+std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options) {
+    shared::FrameBlock block = plan.block;
+    block.seed = block.strata = 0;  // of the image under test
+    block.mapSize = 0;
+    block.timeScale = 0.0f;
+    block.lightCone.w = 0.0f;  // the width of a map texel
+    Digest frame;
+    frame.bytes(&block, sizeof block);
+    frame.bytes(&plan.camera.block, sizeof plan.camera.block);
+    return fmt::format("reference 1; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}", sceneDigest(plan), frame.text(),
+                       shaderDigest(), plan.request.width, plan.request.height, batchesOf(options), maximumSamplesPerPixel,
+                       options.view == View::Final ? "final" : "visibility");
+}
+
+LinearImage referenceImage(FrameRenderer& renderer, const FramePlan& plan, const ReferenceOptions& options, ReferenceCache& cache) {
+    const std::string key = referenceKey(plan, options);
+    if (std::optional<LinearImage> cached = cache.load(key, plan.request.width, plan.request.height)) return std::move(*cached);
+    TruthTechnique truth;
+    const int batches = batchesOf(options);
+    LinearImage mean{plan.request.width, plan.request.height, {}};
+    std::vector<double> sum;
+    for (int batch = 0; batch < batches; ++batch) {
+        renderer.draw(batchPlan(plan, batch), truth, options.view);
+        const LinearImage image = renderer.readRadiance();
+        sum.resize(image.rgb.size());
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(image.rgb[i]);
+        if (options.progress) options.progress(batch + 1, batches);
+    }
+    for (const double value : sum) mean.rgb.push_back(static_cast<float>(value / batches));
+    renderer.timer().finishFrame();  // a reference's times are nobody's measurement
+    cache.store(key, mean);
+    return mean;
+}
+
+} // namespace timeshade

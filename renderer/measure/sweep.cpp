@@ -1,0 +1,200 @@
+#include "measure/sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "measure/display_encoding.h"
+#include "measure/reference.h"
+#include "measure/sweep_journal.h"
+#include "measure/truth_technique.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
+
+Timing timingOf(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return {values[values.size() / 2], values.front(), values.back()};
+}
+
+/// One point while it is being measured.
+struct Subject {
+    SweepPoint point;
+    std::unique_ptr<Technique> technique;
+    std::map<std::string, std::vector<double>> times;
+    std::vector<LinearImage> images;
+    SweepRow row;
+};
+
+std::unique_ptr<Technique> makeSubject(const SweepPoint& point, const SweepOptions& options, gl::ProgramCache& programs) {
+    if (point.technique == "embree") return std::make_unique<TruthTechnique>();
+    std::unique_ptr<Technique> technique = makeTechnique(point.technique, programs);
+    for (const auto& [name, value] : options.settings)
+        if (name.rfind(point.technique + ".", 0) == 0) setFromText(*technique, name.substr(point.technique.size() + 1), value);
+    if (technique->renders() > 1) setFromText(*technique, "renders", std::to_string(bruteForceRenders(point.effort)));
+    return technique;
+}
+
+/// Counts steps for the progress line and guesses the time left from the steps so far.
+class Steps {
+  public:
+    Steps(const SweepOptions& options, int total) : options_(options), total_(total) {}
+    void next(const std::string& what) {
+        if (!options_.progress) return;
+        const double each = done_ > 0 ? millisecondsSince(begin_) / 1000.0 / done_ : -1.0;
+        options_.progress(what, done_, total_, each < 0.0 ? -1.0 : each * (total_ - done_));
+        ++done_;
+    }
+
+  private:
+    const SweepOptions& options_;
+    int total_, done_ = 0;
+    Clock::time_point begin_ = Clock::now();
+};
+
+class SceneSweep {
+  public:
+    SceneSweep(FrameRenderer& renderer, const SweepOptions& options, const SweepScene& scene, ReferenceCache& cache, Steps& steps)
+        : renderer_(renderer), options_(options), scene_(scene), cache_(cache), steps_(steps), planner_(*scene.scene) {}
+
+    void run(std::vector<Subject>& subjects) {
+        steps_.next(scene_.name + ": reference");
+        ReferenceOptions how;
+        how.samplesPerPixel = options_.referenceSamples;
+        reference_ = referenceImage(renderer_, planFor(subjects.front().point, 0), how, cache_);
+        displayedReference_ = displayed(reference_, true);
+        for (int round = 0; round < options_.rounds; ++round)
+            for (Subject& subject : subjects) {
+                steps_.next(fmt::format("{}: round {}", subject.point.key(), round + 1));
+                draw(subject, round);
+            }
+        for (Subject& subject : subjects) {
+            steps_.next(subject.point.key() + ": against the oracle");
+            finish(subject);
+        }
+    }
+
+  private:
+    FramePlan planFor(const SweepPoint& point, int round) {
+        FrameRequest request = scene_.request;
+        request.samplesPerPixel = point.effort;
+        request.mapSize = point.mapSize;
+        request.seed = scene_.request.seed + static_cast<std::uint32_t>(round);
+        return planner_.plan(request);
+    }
+
+    /// A draw to warm up (shaders, buffers of this size, caches), then the one that counts.
+    void draw(Subject& subject, int round) {
+        const FramePlan plan = planFor(subject.point, round);
+        if (subject.technique->renders() == 1) renderer_.draw(plan, *subject.technique, View::Final);
+        renderer_.timer().finishFrame();
+        renderer_.draw(plan, *subject.technique, View::Final);
+        std::map<std::string, double> times;
+        for (const auto& reading : renderer_.timer().finishFrame()) times[reading.name] = reading.milliseconds;
+        if (subject.point.technique == "embree") timeEmbree(plan, times);
+        double total = 0.0;
+        for (const auto& [name, milliseconds] : times) total += milliseconds;
+        times["total"] = total;
+        for (const auto& [name, milliseconds] : times) subject.times[name].push_back(milliseconds);
+        subject.images.push_back(renderer_.readRadiance());
+        if (round == 0) {
+            const GpuMemory memory = renderer_.memory();
+            subject.row.bytes = memory.total();
+            subject.row.techniqueBytes = memory.technique;
+        }
+    }
+
+    /// Embree at its best on the same camera samples: building, primary rays, shadow rays, without any transfer.
+    void timeEmbree(const FramePlan& plan, std::map<std::string, double>& times) const {
+        auto begin = Clock::now();
+        const Oracle oracle(plan);
+        times["build"] = millisecondsSince(begin);
+        begin = Clock::now();
+        const std::vector<std::uint32_t> triangles = oracle.tracePrimaries(plan);
+        times["sample"] = millisecondsSince(begin);
+        begin = Clock::now();
+        oracle.answer(plan, triangles);
+        times["lookup"] = millisecondsSince(begin);
+    }
+
+    void finish(Subject& subject) {
+        SweepRow& row = subject.row;
+        row.point = subject.point;
+        for (const auto& [name, values] : subject.times) row.steps[name] = timingOf(values);
+        const LinearImage& image = subject.images.front();
+        row.error = compareImages(image, reference_, displayed(image, true), displayedReference_);
+        row.biasAndNoise = biasAndNoise(subject.images, reference_);
+        VerificationOptions how;
+        how.checkPrimaries = subject.technique->renders() == 1;
+        row.verification = verifyFrame(renderer_, planFor(subject.point, 0), *subject.technique, how);
+        renderer_.timer().finishFrame();
+    }
+
+    FrameRenderer& renderer_;
+    const SweepOptions& options_;
+    const SweepScene& scene_;
+    ReferenceCache& cache_;
+    Steps& steps_;
+    FramePlanner planner_;
+    LinearImage reference_;
+    DisplayImage displayedReference_;
+};
+
+std::vector<SweepPoint> pointsOf(const SweepOptions& options, const SweepScene& scene) {
+    std::vector<SweepPoint> points;
+    for (const std::string& technique : options.techniques)
+        for (const int mapSize : options.mapSizes) {
+            if (technique == "embree" && mapSize != options.mapSizes.front()) continue;  // it has no map
+            for (const int effort : options.efforts) points.push_back({scene.name, technique, effort, mapSize});
+        }
+    return points;
+}
+
+/// What a journal must have been made with for its rows to be used again.
+std::string experimentOf(const FrameRenderer& renderer, const SweepOptions& options) {
+    std::string text = fmt::format("{}; rounds {}; reference {}", renderer.device().renderer + " " + renderer.device().version, options.rounds,
+                                   options.referenceSamples);
+    for (const auto& [name, value] : options.settings) text += fmt::format("; {}={}", name, value);
+    for (const SweepScene& scene : options.scenes)
+        text += fmt::format("; {} {}x{} frame {} shutter {} fps {} seed {} camera {}", scene.name, scene.request.width, scene.request.height,
+                            scene.request.frame, scene.request.shutter.length, scene.request.shutter.framesPerSecond, scene.request.seed,
+                            scene.request.cameraIndex);
+    return text;
+}
+
+} // namespace
+
+std::string SweepPoint::key() const { return fmt::format("{} {} spp {} map {}", scene, technique, effort, mapSize); }
+
+std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache) {
+    SweepJournal journal(options.journal, experimentOf(renderer, options));
+    int total = 0;
+    for (const SweepScene& scene : options.scenes) {
+        int missing = 0;
+        for (const SweepPoint& point : pointsOf(options, scene)) missing += journal.find(point) ? 0 : 1;
+        total += missing > 0 ? 1 + missing * (options.rounds + 1) : 0;
+    }
+    Steps steps(options, total);
+    for (const SweepScene& scene : options.scenes) {
+        std::vector<Subject> subjects;
+        for (const SweepPoint& point : pointsOf(options, scene))
+            if (!journal.find(point)) subjects.push_back({point, makeSubject(point, options, renderer.programs()), {}, {}, {}});
+        if (subjects.empty()) continue;
+        SceneSweep(renderer, options, scene, cache, steps).run(subjects);
+        for (const Subject& subject : subjects) journal.append(subject.row);
+    }
+    std::vector<SweepRow> rows;
+    for (const SweepScene& scene : options.scenes)
+        for (const SweepPoint& point : pointsOf(options, scene)) rows.push_back(*journal.find(point));
+    return rows;
+}
+
+} // namespace timeshade

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/frame_renderer.h"
+#include "measure/metrics.h"
+#include "measure/reference_cache.h"
+#include "measure/verification.h"
+
+namespace timeshade {
+
+/// One setting of the experiment.
+struct SweepPoint {
+    std::string scene;
+    std::string technique;  ///< name in the registry, or "embree" for the ray-traced peer
+    int effort = 8;         ///< samples per pixel; brute force draws bruteForceRenders(effort) renders instead
+    int mapSize = 512;
+
+    /// Unique in a sweep; what rows are known by in the journal.
+    std::string key() const;
+};
+
+/// Brute force spends its effort on renders: 8 for each sample per pixel that the others take.
+inline constexpr int bruteForceRenders(int effort) { return 8 * effort; }
+
+/// Milliseconds of one step over the rounds.
+struct Timing {
+    double median = 0.0, low = 0.0, high = 0.0;
+};
+
+struct SweepRow {
+    SweepPoint point;
+    std::map<std::string, Timing> steps;  ///< sample, build, lookup, shade, total
+    ErrorMetrics error;                   ///< of the first seed's picture
+    BiasAndNoise biasAndNoise;            ///< over all rounds, each with a seed of its own
+    Verification verification;            ///< of the first seed's samples
+    std::size_t bytes = 0;                ///< GPU memory, all of the frame
+    std::size_t techniqueBytes = 0;
+};
+
+struct SweepScene {
+    std::string name;
+    const Scene* scene = nullptr;
+    FrameRequest request;  ///< size, frame, shutter, camera; samples, map and seed are the sweep's
+};
+
+struct SweepOptions {
+    std::vector<SweepScene> scenes;
+    std::vector<std::string> techniques;  ///< "embree" among them adds the peer
+    std::vector<std::pair<std::string, std::string>> settings;  ///< "tsm.bias", "0.5"
+    std::vector<int> efforts{1, 2, 4, 8, 16};
+    std::vector<int> mapSizes{512};
+    int rounds = 3;  ///< at least 2; each draws every point once, in turn, with another seed
+    int referenceSamples = 256;
+    std::filesystem::path journal;  ///< finished rows are kept here, one JSON line each
+    /// What is being done, how many of how many steps are done, and seconds left (negative: not known yet).
+    std::function<void(const std::string&, int, int, double)> progress;
+};
+
+/// Runs the experiment: per scene, every point is drawn once per round, so that drift hits all alike, after a warm-up
+/// draw of its own. Rows that the journal already holds are not measured again. Rows come in the order scene, technique,
+/// map, effort.
+std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache);
+
+} // namespace timeshade

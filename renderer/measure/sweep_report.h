@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "measure/chart.h"
+#include "measure/sweep.h"
+
+namespace timeshade {
+
+/// What stands beside every number: enough to measure it again.
+struct SweepManifest {
+    std::string commandLine;
+    std::string commit;  ///< of the program; "unknown" outside a checkout
+    std::string processor;
+    std::string backEnd;
+    gl::DeviceInfo device;
+    std::vector<std::string> settings;  ///< "tsm.bias = 0.5", every setting of every technique measured
+};
+
+/// Writes accuracy.csv, accuracy.json, manifest.json, report.md and one pair of pictures per scene (SCENE-error.png,
+/// SCENE-disagreement.png; accuracy.png is the first scene's error chart) into an existing folder. Each file is whole or not there.
+void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& manifest, const std::vector<SweepRow>& rows);
+
+/// The charts, for the window and for tests: error or disagreement of one scene against milliseconds of the whole frame.
+enum class ChartOf { Error, Disagreement };
+Chart sweepChart(const std::vector<SweepRow>& rows, const std::string& scene, ChartOf what, bool softwareRenderer);
+
+/// The table that accuracy.csv holds, one line per row and a header.
+std::string sweepCsv(const std::vector<SweepRow>& rows);
+
+} // namespace timeshade

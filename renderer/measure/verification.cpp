@@ -1,0 +1,93 @@
+#include "measure/verification.h"
+
+#include "shared/hash.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+/// Walks the samples of one render, whose buffers are in the renderer.
+class RenderComparison {
+  public:
+    RenderComparison(const Oracle& oracle, const FramePlan& plan, const VerificationOptions& options, Verification& sum)
+        : oracle_(oracle), plan_(plan), options_(options), sum_(sum) {}
+
+    void compareLit(const std::vector<std::uint32_t>& triangles, const std::vector<float>& lit, int stratumShown) {
+        const std::vector<OracleAnswer> answers = oracle_.answer(plan_, triangles);
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            ++sum_.samples;
+            if (!answers[i].hit) continue;
+            const SampleIndex index = indexOf(i);
+            const OracleAnswer truth = answers[i].tested ? decide(answers[i], index, triangles[i], lit[i]) : answers[i];
+            if (truth.tested) count(truth, lit[i]);
+            if (options_.visit) {
+                const SampleIndex shown{index.x, index.y, index.stratum + static_cast<std::uint32_t>(stratumShown)};
+                options_.visit({shown, triangles[i], truth, lit[i]});
+            }
+        }
+    }
+
+    void comparePrimaries(const std::vector<std::uint32_t>& triangles) {
+        const std::vector<std::uint32_t> traced = oracle_.tracePrimaries(plan_);
+        sum_.primaryTested += triangles.size();
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            if (traced[i] == triangles[i]) continue;
+            const Oracle::PrimaryRuling ruling = oracle_.rulePrimary(plan_, indexOf(i));
+            if (ruling.triangle == triangles[i]) continue;
+            ++(ruling.marginal ? sum_.primaryMarginal : sum_.primaryDisagree);
+        }
+    }
+
+  private:
+    SampleIndex indexOf(std::size_t i) const {
+        const auto width = static_cast<std::size_t>(plan_.request.width), height = static_cast<std::size_t>(plan_.request.height);
+        return {static_cast<std::uint32_t>(i % width), static_cast<std::uint32_t>(i / width % height),
+                static_cast<std::uint32_t>(i / (width * height))};
+    }
+
+    OracleAnswer decide(const OracleAnswer& embree, SampleIndex index, std::uint32_t triangle, float lit) {
+        const bool agrees = (lit >= 0.5f) == embree.lit;
+        const std::uint32_t lot = shared::hashWords({index.x, index.y, index.stratum}).x;
+        if (agrees && lot % options_.ruledShare != 0) return embree;
+        const OracleAnswer ruling = oracle_.rule(plan_, index, triangle);
+        ++sum_.ruled;
+        if (ruling.lit != embree.lit) ++sum_.overruled;
+        return ruling;
+    }
+
+    void count(const OracleAnswer& truth, float lit) {
+        ++sum_.tested;
+        if (!truth.lit) ++sum_.shadowed;
+        sum_.meanAbsoluteError += std::abs(static_cast<double>(lit) - (truth.lit ? 1.0 : 0.0));
+        const bool seemsLit = lit >= 0.5f;
+        if (seemsLit == truth.lit) return;
+        ++(seemsLit ? sum_.falseLit : sum_.falseShadow);
+        if (truth.marginal) ++sum_.marginal;
+    }
+
+    const Oracle& oracle_;
+    const FramePlan& plan_;
+    const VerificationOptions& options_;
+    Verification& sum_;
+};
+
+} // namespace
+
+Verification verifyFrame(FrameRenderer& renderer, const FramePlan& plan, Technique& technique, const VerificationOptions& options) {
+    const Oracle oracle(plan);
+    Verification sum;
+    renderer.begin(plan, technique, View::Visibility);
+    for (int render = 0; render < renderer.renders(); ++render) {
+        renderer.step();
+        const FramePlan drawn = renderer.renders() > 1 ? planAtInstant(plan, render, renderer.renders()) : plan;
+        const std::vector<std::uint32_t> triangles = renderer.readSampleIds();
+        RenderComparison comparison(oracle, drawn, options, sum);
+        comparison.compareLit(triangles, renderer.readVisibility(), render);
+        if (options.checkPrimaries) comparison.comparePrimaries(triangles);
+        if (options.progress) options.progress(render + 1, renderer.renders());
+    }
+    if (sum.tested > 0) sum.meanAbsoluteError /= static_cast<double>(sum.tested);
+    return sum;
+}
+
+} // namespace timeshade

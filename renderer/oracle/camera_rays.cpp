@@ -1,0 +1,73 @@
+#include "oracle/camera_rays.h"
+
+#include <cmath>
+
+#include "shared/sample_pattern.shared.h"
+
+namespace timeshade::oracle {
+
+namespace {
+
+glm::dvec3 between(const glm::dvec3& open, const glm::dvec3& close, double u) { return open * (1.0 - u) + close * u; }
+
+/// Facing and cone, as design section 1 and `facesLight` of the shaders define them.
+void testLight(const FramePlan& plan, const glm::dvec3& normal, Receiver& receiver) {
+    OracleAnswer& answer = receiver.answer;
+    const glm::dvec3 l = receiver.light - answer.position;
+    const double scale = glm::length(answer.position) + glm::length(l);
+    const double facing = glm::dot(normal, l);
+    answer.marginal = std::abs(facing) <= marginalShare * scale * glm::length(normal);
+    answer.tested = facing > 0.0;
+    if (plan.lightOpen.kind == LightKind::Directional) return;
+    const double along = glm::dot(l, plan.lightOpen.axes[2]);  // the light looks along -axes[2]
+    const double inside = along - std::cos(plan.lightOpen.outerConeAngle) * glm::length(l);
+    answer.marginal = answer.marginal || std::abs(inside) <= marginalShare * scale;
+    answer.tested = answer.tested && inside >= 0.0;
+}
+
+} // namespace
+
+CameraRay cameraRay(const FramePlan& plan, SampleIndex sample) {
+    const glm::uvec2 pixel(sample.x, sample.y);
+    const glm::vec3 pattern = shared::samplePattern(pixel, sample.stratum, plan.block.seed, SALT_CAMERA);
+    const float u = shared::sampleTime(plan.block.timeBase, plan.block.timeScale, sample.stratum, pattern.z);
+    const glm::dvec2 position((glm::vec2(pixel) + glm::vec2(pattern)) / plan.camera.block.size);
+    const ViewEnd &open = plan.camera.open, &close = plan.camera.close;
+    CameraRay ray;
+    ray.time = static_cast<double>(u);
+    ray.eye = between(open.eye, close.eye, ray.time);
+    ray.direction = between(open.corner + position.x * open.right + position.y * open.up,
+                            close.corner + position.x * close.right + position.y * close.up, ray.time);
+    return ray;
+}
+
+glm::dvec3 lightEnd(const FramePlan& plan, const glm::dvec3& position, double u) {
+    if (plan.lightOpen.kind == LightKind::Directional)
+        return position + static_cast<double>(plan.light.block.farDistance) * plan.lightOpen.axes[2];
+    return between(plan.lightOpen.position - plan.origin, plan.lightClose.position - plan.origin, u);
+}
+
+Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, SampleIndex sample, std::uint32_t triangle) {
+    Receiver receiver;
+    const CameraRay ray = cameraRay(plan, sample);
+    receiver.answer.time = static_cast<float>(ray.time);
+    if (triangle >= triangles.count()) return receiver;
+    glm::dvec3 v[3];
+    triangles.at(triangle, ray.time, v);
+    glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
+    const double approach = glm::dot(ray.direction, normal);
+    receiver.answer.hit = true;
+    if (approach == 0.0) {
+        // Only rounding can make a camera see a triangle edge-on; there is no one point that it sees.
+        receiver.answer.position = v[0];
+        receiver.answer.marginal = true;
+        return receiver;
+    }
+    receiver.answer.position = ray.eye + ray.direction * (glm::dot(v[0] - ray.eye, normal) / approach);
+    if (approach > 0.0 && triangles.doubleSided(triangle)) normal = -normal;
+    receiver.light = lightEnd(plan, receiver.answer.position, ray.time);
+    testLight(plan, normal, receiver);
+    return receiver;
+}
+
+} // namespace timeshade::oracle

@@ -1,0 +1,206 @@
+// Every shader that any frame is drawn with, in every variant, is handed to an independent compiler, glslangValidator:
+// drivers forgive much that the language does not allow.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+
+#include "parity/moving_scene.h"
+#include "support/gl_environment.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every combination of a technique's switches and of its whole numbers with few values. Others keep their defaults, as
+/// they are uniforms; the number of renders is the least, since it changes no shader.
+void forEveryCombination(Technique& technique, const std::function<void()>& draw) {
+    std::vector<Setting> varied;
+    for (Setting& setting : settingsOf(technique)) {
+        if (setting.isSwitch() || (setting.isWhole() && setting.maximum - setting.minimum <= 8.0))
+            varied.push_back(setting);
+        else if (setting.key == "renders")
+            setting.set(2.0);
+    }
+    const std::function<void(std::size_t)> vary = [&](std::size_t index) {
+        if (index == varied.size()) return draw();
+        for (double value = varied[index].minimum; value <= varied[index].maximum; value += 1.0) {
+            varied[index].set(value);
+            vary(index + 1);
+        }
+    };
+    vary(0);
+}
+
+/// Draws whatever makes a difference to a shader, on the shared renderer.
+void drawEverything() {
+    FrameRenderer& renderer = sharedRenderer();
+    for (const bool turns : {false, true}) {
+        for (const bool directional : {false, true}) {
+            const std::unique_ptr<ProceduralScene> scene =
+                makeMovingScene({.quads = 8, .seed = 3, .cameraTurns = turns, .directionalLight = directional});
+            const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(16, 12, 2, 16, 1));
+            ASSERT_EQ(plan.camera.turns, turns);
+            ASSERT_EQ(plan.light.projection == Projection::Orthographic, directional);
+            for (const TechniqueDescription& description : techniqueDescriptions()) {
+                const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
+                forEveryCombination(*technique, [&] {
+                    if (technique->unsupported(plan)) return;
+                    for (const View view : {View::Final, View::Visibility}) {
+                        renderer.draw(plan, *technique, view);
+                        renderer.readPicture();
+                    }
+                });
+            }
+        }
+    }
+}
+
+struct Verdict {
+    bool good = false;
+    std::string words;
+};
+
+/// A folder that goes away with the object.
+class Workplace {
+  public:
+    Workplace() {
+        std::string name = (fs::temp_directory_path() / "timeshade-shaders-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+        folder_ = name;
+    }
+    ~Workplace() { fs::remove_all(folder_); }
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+
+    /// Compiles each stage as desktop OpenGL (not Vulkan) and links them. Stages: "vert", "frag", ...
+    Verdict validate(const std::vector<std::pair<std::string, std::string>>& stages) const {
+        std::string command = "glslangValidator -l";
+        for (const auto& [stage, text] : stages) {
+            const fs::path path = folder_ / ("shader." + stage);
+            std::ofstream(path) << text;
+            command += " '" + path.string() + "'";
+        }
+        Verdict verdict;
+        std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+        if (pipe == nullptr) return verdict;
+        std::array<char, 4096> part;
+        for (std::size_t count; (count = std::fread(part.data(), 1, part.size(), pipe)) > 0;) verdict.words.append(part.data(), count);
+        verdict.good = pclose(pipe) == 0;
+        return verdict;
+    }
+
+  private:
+    fs::path folder_;
+};
+
+std::string nameOf(const gl::ProgramDescription& program) {
+    std::string name = program.vertex + " + " + program.fragment;
+    for (const auto& [define, value] : program.defines) name += " " + define + "=" + value;
+    return name;
+}
+
+/// Fragment shader (or vertex shader where there is none) and the sets of defines that it was built with.
+std::map<std::string, std::set<std::string>> variantsByFile() {
+    std::map<std::string, std::set<std::string>> variants;
+    for (const gl::ProgramDescription& program : gl::programsBuilt()) {
+        std::vector<std::string> defines;
+        for (const auto& [define, value] : program.defines) defines.push_back(define + "=" + value);
+        std::sort(defines.begin(), defines.end());
+        std::string all;
+        for (const std::string& define : defines) all += (all.empty() ? "" : " ") + define;
+        variants[program.fragment].insert(all);
+        variants[program.vertex].insert(all);
+    }
+    return variants;
+}
+
+TEST(ShaderVariants, TheValidatorIsThereAndRefuses) {
+    const Workplace workplace;
+    const std::string good = "#version 450 core\nvoid main() { gl_Position = vec4(1.0); }\n";
+    const std::string wrong = "#version 450 core\nvoid main() { gl_Position = vec4(undeclared); }\n";
+    const Verdict verdict = workplace.validate({{"vert", good}});
+    ASSERT_TRUE(verdict.good) << "glslangValidator does not run: " << verdict.words;
+    EXPECT_FALSE(workplace.validate({{"vert", wrong}}).good);
+    // An input that no stage before writes is seen only when they are linked.
+    const std::string orphan = "#version 450 core\nflat in uint x;\nlayout(location = 0) out uint y;\nvoid main() { y = x; }\n";
+    EXPECT_TRUE(workplace.validate({{"frag", orphan}}).good);
+    const std::string other = "#version 450 core\nflat out vec2 x;\nvoid main() { x = vec2(0.0); gl_Position = vec4(1.0); }\n";
+    EXPECT_FALSE(workplace.validate({{"vert", other}, {"frag", orphan}}).good);
+}
+
+TEST(ShaderVariants, EveryProgramOfEveryFrameIsValid) {
+    drawEverything();
+    const Workplace workplace;
+    std::set<std::string> checked;
+    for (const gl::ProgramDescription& program : gl::programsBuilt()) {
+        if (!checked.insert(nameOf(program)).second) continue;
+        std::vector<std::pair<std::string, std::string>> stages;
+        for (const std::string& path : {program.vertex, program.fragment})
+            if (!path.empty()) stages.emplace_back(fs::path(path).extension().string().substr(1), gl::readShader(path, program.defines).text);
+        const Verdict verdict = workplace.validate(stages);
+        EXPECT_TRUE(verdict.good) << nameOf(program) << "\n" << verdict.words;
+    }
+    EXPECT_GE(checked.size(), 40u);
+}
+
+TEST(ShaderVariants, TheFramesDrawnHadEveryVariant) {
+    drawEverything();
+    const std::map<std::string, std::set<std::string>> variants = variantsByFile();
+    const auto has = [&](const std::string& file, const std::string& defines) {
+        const auto found = variants.find(file);
+        std::ostringstream all;
+        if (found != variants.end())
+            for (const std::string& one : found->second) all << "  {" << one << "}\n";
+        EXPECT_TRUE(found != variants.end() && found->second.count(defines) > 0) << file << " {" << defines << "} is missing of\n" << all.str();
+    };
+    const auto joined = [](std::vector<std::string> defines) {
+        defines.erase(std::remove(defines.begin(), defines.end(), ""), defines.end());
+        std::sort(defines.begin(), defines.end());
+        std::string all;
+        for (const std::string& define : defines) all += (all.empty() ? "" : " ") + define;
+        return all;
+    };
+    for (const std::string turns : {"", "CAMERA_TURNS=1"}) {
+        for (const std::string orthographic : {"", "LIGHT_ORTHOGRAPHIC=1"}) {
+            for (const std::string radius : {"0", "1", "2", "3"})
+                has("passes/shadow_map_lookup.frag", joined({turns, orthographic, "PCF_RADIUS=" + radius}));
+            for (const std::string bias : {"", "DYNAMIC_BIAS=1"}) has("techniques/tsm/lookup.frag", joined({turns, orthographic, bias}));
+        }
+        for (const std::string view : {"", "VIEW_VISIBILITY=1"}) has("passes/shade.frag", joined({turns, view}));
+    }
+    for (const std::string cover : {"passes/stochastic_points.vert", "passes/stochastic_rectangles.vert"}) {
+        for (const std::string turns : {"", "VIEW_TURNS=1"}) has(cover, joined({"OUTPUT_ID=1", turns}));
+        for (const std::string orthographic : {"", "VIEW_ORTHOGRAPHIC=1"})
+            for (const std::string output : {"", "OUTPUT_DEPTH_VELOCITY=1"}) has(cover, joined({"VIEW_LIGHT=1", orthographic, output}));
+    }
+    for (const std::string orthographic : {"", "LIGHT_ORTHOGRAPHIC=1"}) has("passes/shadow_map.vert", orthographic);
+}
+
+TEST(ShaderVariants, NoShaderFileIsLeftOut) {
+    drawEverything();
+    std::set<std::string> used;
+    for (const gl::ProgramDescription& program : gl::programsBuilt())
+        for (const std::string& path : {program.vertex, program.fragment})
+            if (!path.empty())
+                for (const std::string& file : gl::readShader(path, program.defines).files) used.insert(file);
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(gl::shaderDirectory())) {
+        if (!entry.is_regular_file()) continue;
+        const std::string path = fs::relative(entry.path(), gl::shaderDirectory()).string();
+        EXPECT_TRUE(used.count(path)) << "shaders/" << path << " is in no program that a frame is drawn with";
+    }
+}
+
+} // namespace
+} // namespace timeshade
