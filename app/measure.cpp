@@ -4,11 +4,12 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <timeshade/commit.h>  // generated
 #include <unistd.h>
 
 #include <fmt/format.h>
 
-#include "commit.h"
+
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "make_context.h"

@@ -7,8 +7,9 @@
 namespace timeshade {
 
 void drawHeader(Session& session, Widgets& widgets) {
-    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts.back());
     ImGui::TextColored(theme::accent, "Timeshade");
+    ImGui::PopFont();
     const float keys = 52.0f * widgets.scale();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - keys);
     if (widgets.button("keys", "Keys", keys)) session.keysVisible = !session.keysVisible;

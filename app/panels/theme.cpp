@@ -21,8 +21,8 @@ void setColors(ImGuiStyle& style) {
     set(ImGuiCol_HeaderHovered, 0.190f, 0.212f, 0.250f);
     set(ImGuiCol_HeaderActive, 0.220f, 0.260f, 0.315f);
     set(ImGuiCol_Separator, 0.20f, 0.22f, 0.25f);
-    set(ImGuiCol_SliderGrab, 0.40f, 0.58f, 0.77f);
-    style.Colors[ImGuiCol_SliderGrabActive] = theme::accent;
+    set(ImGuiCol_SliderGrab, 0.27f, 0.43f, 0.60f);  // dark enough for the value written over it
+    set(ImGuiCol_SliderGrabActive, 0.33f, 0.53f, 0.74f);
     style.Colors[ImGuiCol_CheckMark] = theme::accent;
     style.Colors[ImGuiCol_PlotHistogram] = theme::accent;
     set(ImGuiCol_ScrollbarBg, 0.098f, 0.106f, 0.122f, 0.0f);

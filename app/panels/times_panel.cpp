@@ -39,6 +39,12 @@ void drawTimes(Session& session, Widgets& widgets) {
     const char* what = session.renderer.renders() > 1 ? "render" : "frame";
     const std::string over = times.frames() == 1 ? fmt::format("one {}", what) : fmt::format("median of {} {}s", times.frames(), what);
     widgets.paragraph(fmt::format("{}, {} × {}{}", over, drawn.width, drawn.height, session.driver.preview() ? " preview" : ""), theme::quiet);
+    if (session.renderer.renders() > 1 || session.driver.preview()) return;
+    // A paused picture is drawn once, and the first time compiles shaders.
+    if (session.driver.measuring())
+        widgets.paragraph("measuring ...", theme::warning);
+    else if (widgets.button("times.measure", "Measure again"))
+        session.driver.measure(static_cast<int>(FrameTimes::kept));
 }
 
 void drawMemory(Session& session, Widgets& widgets) {
@@ -59,7 +65,7 @@ void drawMemory(Session& session, Widgets& widgets) {
 
 void drawTimesPanel(Session& session, Widgets& widgets) {
     if (widgets.section("section.times", "Time", true)) drawTimes(session, widgets);
-    if (widgets.section("section.memory", "GPU memory", false)) drawMemory(session, widgets);
+    if (widgets.section("section.memory", "GPU memory", true)) drawMemory(session, widgets);
 }
 
 } // namespace timeshade

@@ -59,8 +59,10 @@ std::string statusOf(const Session& session) {
     if (!session.driver.hasPlan()) return "no picture yet";
     const FrameRequest& drawn = session.renderer.plan().request;
     const int samples = session.renderer.renders() > 1 ? session.renderer.renders() : drawn.samplesPerPixel;
+    const FrameTimes& times = session.driver.times();
+    const std::string cost = times.frames() > 0 ? fmt::format(", {:.4g} ms", times.medianTotal()) : "";
     const std::string size = fmt::format("{} × {}, {} samples a pixel, map {}", drawn.width, drawn.height, samples, drawn.mapSize);
-    return session.driver.preview() ? size + ": drawn coarsely while something moves" : size;
+    return session.driver.preview() ? "moving: " + size + cost : size + cost;
 }
 
 } // namespace

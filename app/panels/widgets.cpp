@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <sstream>
 
 #include <imgui_stdlib.h>
 
@@ -66,9 +67,14 @@ void drawIcon(Icon icon, ImVec2 centre, float radius, ImU32 color) {
 } // namespace
 
 std::string titleOfKey(const std::string& key) {
-    std::string title = key;
-    std::replace(title.begin(), title.end(), '_', ' ');
-    if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    std::string title;
+    std::istringstream words(key);
+    for (std::string word; std::getline(words, word, '_');) {
+        const bool abbreviation = word.find_first_of("aeiouy") == std::string::npos;  // "pcf"
+        for (std::size_t i = 0; i < word.size(); ++i)
+            if (abbreviation || (i == 0 && title.empty())) word[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[i])));
+        title += (title.empty() ? "" : " ") + word;
+    }
     return title;
 }
 
@@ -93,7 +99,7 @@ void Widgets::beginRow(const std::string& label) {
 
 void Widgets::help(const std::string& text) {
     if (text.empty()) return;
-    ImGui::SameLine();
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 36.0f * scale_);
     ImGui::TextColored(theme::quiet, "(?)");
     if (ImGui::IsItemHovered()) tooltip(text);
 }

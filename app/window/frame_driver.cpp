@@ -62,8 +62,12 @@ bool FrameDriver::update(const Wanted& wanted, double now) {
     refine_ = refine_ || changed;
     const int level = moving ? quality_.level() : 0;
     const bool better = refine_ && !moving && state_ != State::Failed;
+    if (changed) toMeasure_ = 0;
     if (changed || better) {
         begin(wanted, level);
+    } else if (toMeasure_ > 0 && state_ == State::Complete && level_ == 0) {
+        --toMeasure_;
+        begin(wanted, 0);
     } else if (state_ != State::Drawing) {
         return false;
     }
@@ -128,6 +132,7 @@ void FrameDriver::forgetTimes() {
 void FrameDriver::fail(const char* what) {
     failure_ = what;
     state_ = State::Failed;
+    toMeasure_ = 0;
     refine_ = false;
     picture_ = nullptr;
 }
@@ -135,6 +140,7 @@ void FrameDriver::fail(const char* what) {
 void FrameDriver::cancel() {
     if (state_ != State::Drawing) return;
     state_ = State::Cancelled;
+    toMeasure_ = 0;
     refine_ = false;
 }
 
@@ -142,8 +148,13 @@ void FrameDriver::resume() {
     if (state_ == State::Cancelled) state_ = State::Drawing;
 }
 
+void FrameDriver::measure(int pictures) {
+    forgetTimes();
+    toMeasure_ = pictures;
+}
+
 std::optional<double> FrameDriver::sleep(double now) const {
-    if (state_ == State::Drawing) return 0.0;
+    if (state_ == State::Drawing || toMeasure_ > 0) return 0.0;
     if (refine_) return std::max(0.0, settleSeconds - (now - lastChange_));
     return std::nullopt;
 }

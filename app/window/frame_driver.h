@@ -40,6 +40,9 @@ class FrameDriver {
     /// Keeps what has been drawn of a brute-force picture, until something changes or resume() is called.
     void cancel();
     void resume();
+    /// Draws the full picture so many times more for its figures, unless something changes first.
+    void measure(int pictures);
+    bool measuring() const { return toMeasure_ > 0; }
 
     State state() const { return state_; }
     const std::string& failure() const { return failure_; }
@@ -76,6 +79,7 @@ class FrameDriver {
     int level_ = 0;
     bool refine_ = false;
     bool hasPlan_ = false;
+    int toMeasure_ = 0;
     int begun_ = 0;
     std::string failure_;
     std::string techniqueName_;

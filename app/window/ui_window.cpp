@@ -65,7 +65,10 @@ void UiWindow::rebuildFonts() {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     std::error_code ignored;
-    if (!std::filesystem::exists(textFont, ignored) || atlas.AddFontFromFileTTF(textFont, fontPixels_, nullptr, ranges.data()) == nullptr) {
+    const bool text = std::filesystem::exists(textFont, ignored) && atlas.AddFontFromFileTTF(textFont, fontPixels_, nullptr, ranges.data()) != nullptr;
+    if (text) {
+        atlas.AddFontFromFileTTF(textFont, std::round(1.4f * fontPixels_));  // the last one is the title's
+    } else {
         ImFontConfig config;
         config.SizePixels = std::round(fontPixels_ * 13.0f / fontHeight);
         atlas.AddFontDefault(&config);

@@ -78,7 +78,8 @@ ChartCanvas::ChartCanvas(int width, int height, Rgb background) : width_(width),
 }
 
 void ChartCanvas::blend(int x, int y, Rgb color, double opacity) {
-    float* pixel = &rgb_[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * 3];
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+    float* pixel = &rgb_[(row + static_cast<std::size_t>(x)) * 3];
     const auto share = static_cast<float>(opacity);
     pixel[0] += (static_cast<float>(color.red) - pixel[0]) * share;
     pixel[1] += (static_cast<float>(color.green) - pixel[1]) * share;
@@ -167,7 +168,8 @@ void ChartCanvas::drawMask(const CoverageMask& mask, Rgb color, double opacity) 
             const int x = mask.left + column;
             const int y = mask.top + row;
             if (x >= 0 && y >= 0 && x < width_ && y < height_) {
-                blend(x, y, color, opacity * mask.coverage[static_cast<std::size_t>(row * mask.width + column)] / 255.0);
+                const std::uint8_t covered = mask.coverage[static_cast<std::size_t>(row * mask.width + column)];
+                blend(x, y, color, opacity * covered / 255.0);
             }
         }
     }

@@ -168,18 +168,19 @@ std::string ChartFont::shorten(const std::string& text, double size, double widt
     if (this->width(text, size) <= width) {
         return text;
     }
-    std::string kept = text;
-    while (!kept.empty()) {
-        // Whole code points go: first the bytes that continue one, then the one that began it.
-        while (kept.size() > 1 && (static_cast<std::uint8_t>(kept.back()) & 0xc0) == 0x80) {
-            kept.pop_back();
-        }
-        kept.pop_back();
-        if (this->width(kept + "…", size) <= width) {
-            break;
+    // Where code points begin: a text is only cut there.
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if ((static_cast<std::uint8_t>(text[i]) & 0xc0) != 0x80) {
+            starts.push_back(i);
         }
     }
-    return kept + "…";
+    const auto cut = [&](std::size_t start) { return text.substr(0, start) + "…"; };
+    // The first cut that is too wide; the one before it is the answer.
+    const auto tooWide = std::partition_point(starts.begin(), starts.end(), [&](std::size_t start) {
+        return this->width(cut(start), size) <= width;
+    });
+    return cut(tooWide == starts.begin() ? 0 : *(tooWide - 1));
 }
 
 } // namespace timeshade

@@ -64,10 +64,9 @@ class Obstacles {
 
     /// The length of lines below the box; noRoom where it would cover something or leave the plot.
     double cost(const PixelBox& box) const {
-        const bool blocked = !bounds_.contains(box) || std::any_of(boxes_.begin(), boxes_.end(), [&](const PixelBox& b) {
-            return b.overlaps(box);
-        });
-        return blocked ? noRoom : lineCost(box);
+        const bool covers =
+            std::any_of(boxes_.begin(), boxes_.end(), [&](const PixelBox& b) { return b.overlaps(box); });
+        return covers || !bounds_.contains(box) ? noRoom : lineCost(box);
     }
 
     /// The length of texts and markers that a line would run through.
@@ -181,7 +180,8 @@ void placePointLabels(const Chart& chart, const ChartFonts& fonts, ChartLayout& 
         PlacedSeries& series = layout.series[i];
         const TextStyle style{10.5 * layout.scale, inkOf(series.color), false};
         for (const PlacedPoint& point : series.points) {
-            const std::string& label = chart.series[i].points[point.index].label;
+            const std::string& whole = chart.series[i].points[point.index].label;
+            const std::string label = fonts.regular.shorten(whole, style.size, 0.2 * layout.plot.width());
             std::optional<PlacedText> best;
             double bestCost = noRoom;
             for (std::size_t side = 0; side < sides.size() && !label.empty(); ++side) {
@@ -212,12 +212,15 @@ std::vector<PlacedSlope> fanOf(const Chart& chart, const ChartFonts& fonts, cons
         const double dy = -slope.slope * layout.y.pixelsPerDecade();
         const double share = length / std::hypot(dx, dy);
         const PixelPoint to{dx * share, dy * share};
-        PlacedText label = placeText(fonts, slope.label, {}, {11.5 * layout.scale, {120, 126, 136}, false});
+        const TextStyle style{11.5 * layout.scale, {110, 116, 126}, false};
+        PlacedText label =
+            placeText(fonts, fonts.regular.shorten(slope.label, style.size, 0.4 * layout.plot.width()), {}, style);
         putBeside(label, to, 1.0, 0.0, 5.0 * layout.scale);
         fan.push_back({{}, to, label});
     }
     // Steeper lines end lower; where their labels would meet, the lower one makes room.
-    std::stable_sort(fan.begin(), fan.end(), [](const PlacedSlope& a, const PlacedSlope& b) { return a.to.y < b.to.y; });
+    std::stable_sort(fan.begin(), fan.end(),
+                     [](const PlacedSlope& a, const PlacedSlope& b) { return a.to.y < b.to.y; });
     for (std::size_t i = 1; i < fan.size(); ++i) {
         const double missing = fan[i - 1].label.box.bottom + layout.scale - fan[i].label.box.top;
         if (missing > 0.0) {

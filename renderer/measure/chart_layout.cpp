@@ -39,9 +39,9 @@ void requireSize(int width, int height, double scale) {
         throw Error(fmt::format("cannot draw a chart at scale {}, expected 0.5 to 16", scale));
     }
     if (width < smallestWidth * scale || height < smallestHeight * scale || std::max(width, height) > largestSide) {
-        throw Error(fmt::format("cannot draw a chart of {}x{} pixels, expected from {:.0f}x{:.0f} to {}x{}", width, height,
-                                std::ceil(smallestWidth * scale), std::ceil(smallestHeight * scale), largestSide,
-                                largestSide));
+        throw Error(fmt::format("cannot draw a chart of {}x{} pixels, expected from {:.0f}x{:.0f} to {}x{}", width,
+                                height, std::ceil(smallestWidth * scale), std::ceil(smallestHeight * scale),
+                                largestSide, largestSide));
     }
 }
 

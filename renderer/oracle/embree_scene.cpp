@@ -45,7 +45,7 @@ void fill(RTCRayHit8& rays, int* valid, const RayPacket& packet) {
         rays.ray.dir_z[lane] = packet.direction[lane].z;
         rays.ray.tnear[lane] = packet.low;
         rays.ray.tfar[lane] = packet.high;
-        rays.ray.time[lane] = packet.time[lane];
+        rays.ray.time[lane] = std::clamp(packet.time[lane], 0.0f, 1.0f);  // Embree knows no others
         rays.ray.mask[lane] = ~0u;
         rays.ray.flags[lane] = 0;
         rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;

@@ -50,7 +50,7 @@ class Oracle {
     /// an end of the segment are ruled upon. `plan` is the one of construction or one made from it by planAtInstant.
     std::vector<OracleAnswer> answer(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
 
-    /// The same as `answer`, but every sample ruled upon: slower by some five times, and nowhere in doubt.
+    /// The same as `answer`, but every sample ruled upon: slower by some four times, and nowhere in doubt.
     std::vector<OracleAnswer> ruleAll(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
 
     /// Which triangle each camera sample sees, in the same order, by Embree with the camera's culling rule (one-sided

@@ -53,7 +53,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> libraries{
     {"CLI/", {"app/"}},
     {"tiny_gltf", {"renderer/scene/"}},
     {"tinyexr", {"renderer/image/"}},
-    {"stb_", {"renderer/image/", "renderer/scene/"}},
+    {"stb_", {"renderer/image/", "renderer/scene/", "renderer/measure/"}},
     {"embree", {"renderer/oracle/"}},
     {"tbb", {"renderer/oracle/"}},
     {"gtest", {}},

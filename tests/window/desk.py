@@ -1,0 +1,237 @@
+"""A display without a window manager, and a hand and an eye on it: Xvfb, xdotool and ImageMagick."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.environ.get("TIMESHADE", "")
+TOOLS = ("Xvfb", "xdotool", "import")
+SCREEN = (1600, 1000)
+
+
+def missing_tools():
+    return [tool for tool in TOOLS if shutil.which(tool) is None]
+
+
+class Picture:
+    """Pixels of the screen, three bytes each, rows from the top."""
+
+    def __init__(self, width, height, data):
+        self.width, self.height, self.data = width, height, data
+
+    def crop(self, x0, y0, x1, y1):
+        rows = [self.data[3 * (y * self.width + x0):3 * (y * self.width + x1)] for y in range(y0, y1)]
+        return Picture(x1 - x0, y1 - y0, b"".join(rows))
+
+    def grey(self):
+        return [(2 * r + 5 * g + b) // 8 for r, g, b in zip(self.data[0::3], self.data[1::3], self.data[2::3])]
+
+    def share_different(self, other, threshold=8):
+        """Share of the pixels that differ by more than the threshold in any channel."""
+        assert (self.width, self.height) == (other.width, other.height)
+        count = sum(1 for i in range(0, len(self.data), 3)
+                    if max(abs(self.data[i + c] - other.data[i + c]) for c in range(3)) > threshold)
+        return count / (self.width * self.height)
+
+
+def read_ppm(data):
+    fields, at = [], 0
+    while len(fields) < 4:
+        end = at
+        while data[end:end + 1] not in (b" ", b"\n", b"\t"):
+            end += 1
+        fields.append(data[at:end])
+        at = end + 1
+    assert fields[0] == b"P6" and fields[3] == b"255", fields
+    return Picture(int(fields[1]), int(fields[2]), data[at:])
+
+
+class Display:
+    """An X server with nothing on it."""
+
+    def __init__(self):
+        reading, writing = os.pipe()
+        self.process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{SCREEN[0]}x{SCREEN[1]}x24", "-nolisten", "tcp", "-noreset"],
+            pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as answer:
+            self.name = ":" + answer.readline().strip()
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait(timeout=20)
+
+
+class Window:
+    """The program's window. It is found, read and waited for through the JSON file that it writes for this purpose;
+    everything else goes through the display, as a person's hands and eyes do."""
+
+    def __init__(self, display, *arguments, **environment):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="timeshade-window-"))
+        self.dump_path = self.folder / "ui.json"
+        self.errors = open(self.folder / "stderr", "w+b")
+        self.environment = {**os.environ, "DISPLAY": display.name, "TIMESHADE_UI_SCALE": "1", "TIMESHADE_UI_DUMP": str(self.dump_path)}
+        self.environment.pop("WAYLAND_DISPLAY", None)
+        self.environment.update(environment)
+        self.process = subprocess.Popen([PROGRAM, "view", *arguments], cwd=self.folder, env=self.environment,
+                                        stdout=subprocess.DEVNULL, stderr=self.errors)
+        self.id = None
+        self.wait(lambda dump: True, "a first frame")
+        self.id = self.hand("search", "--onlyvisible", "--name", "Timeshade").split()[0]
+        self.focus()
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        self.errors.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def hand(self, *arguments):
+        return subprocess.run(["xdotool", *arguments], env=self.environment, check=True, capture_output=True, text=True, timeout=30).stdout
+
+    def standard_error(self):
+        self.errors.seek(0)
+        return self.errors.read().decode(errors="replace")
+
+    # What the window says of itself.
+
+    def dump(self):
+        try:
+            return json.loads(self.dump_path.read_text())
+        except FileNotFoundError:
+            return None
+
+    def state(self):
+        return self.dump()["state"]
+
+    def widget(self, name):
+        return self.dump()["widgets"].get(name)
+
+    def wait(self, condition, what, seconds=40):
+        """The first dump that fulfils the condition."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            dump = self.dump()
+            if dump is not None and condition(dump):
+                return dump
+            if self.process.poll() is not None:
+                raise AssertionError(f"waiting for {what}, the program ended with {self.process.returncode}: {self.standard_error()}")
+            time.sleep(0.03)
+        raise AssertionError(f"waited {seconds} s for {what}; the window says {dump['state'] if dump else None}")
+
+    def wait_state(self, **wanted):
+        return self.wait(lambda dump: all(dump["state"].get(key) == value for key, value in wanted.items()), f"{wanted}")
+
+    def settle(self, **wanted):
+        """The picture is whole, and the window knows that it has been asked for these."""
+        return self.wait_state(settled=True, **wanted)
+
+    # What a person does.
+
+    def focus(self):
+        self.hand("windowfocus", "--sync", self.id)
+
+    def key(self, *names):
+        for name in names:
+            self.hand("key", name)
+
+    def type(self, text):
+        self.hand("type", "--delay", "40", text)
+
+    def point(self, x, y):
+        self.hand("mousemove", str(int(x)), str(int(y)))
+        time.sleep(0.08)
+
+    def reveal(self, name):
+        """Scrolls the side panel until the widget can be clicked. Returns its rectangle."""
+        for _ in range(60):
+            widget = self.widget(name)
+            assert widget is not None, f"no widget {name}; there are {sorted(self.dump()['widgets'])}"
+            x0, y0, x1, y1 = widget["rect"]
+            height = self.state()["window"][1]
+            if widget["visible"] and y0 >= 0 and y1 <= height:
+                return x0, y0, x1, y1
+            self.point(12, height / 2)
+            self.hand("click", "5" if y1 > height else "4")
+            time.sleep(0.08)
+        raise AssertionError(f"widget {name} can't be scrolled into view")
+
+    def press_at(self, x, y, button="1"):
+        self.point(x, y)
+        self.hand("mousedown", button)
+        time.sleep(0.08)
+        self.hand("mouseup", button)
+        time.sleep(0.08)
+
+    def click(self, name):
+        x0, y0, x1, y1 = self.reveal(name)
+        self.press_at((x0 + x1) / 2, (y0 + y1) / 2)
+
+    def choose(self, combo, entry):
+        self.click(combo)
+        name = f"{combo}/{entry}"
+        self.wait(lambda dump: name in dump["widgets"], f"the list of {combo} with {entry}")
+        time.sleep(0.1)
+        self.click(name)
+
+    def drag(self, x0, y0, x1, y1, button="1"):
+        self.point(x0, y0)
+        self.hand("mousedown", button)
+        for i in range(1, 6):
+            self.point(x0 + (x1 - x0) * i / 5, y0 + (y1 - y0) * i / 5)
+        self.hand("mouseup", button)
+        time.sleep(0.08)
+
+    def drag_slider(self, name, share):
+        """Drags from the middle of the slider to a share of its width. Returns the new value."""
+        x0, y0, x1, y1 = self.reveal(name)
+        y = (y0 + y1) / 2
+        self.drag((x0 + x1) / 2, y, x0 + share * (x1 - x0), y)
+        self.settle()
+        return self.widget(name)["value"]
+
+    def resize(self, width, height):
+        self.hand("windowsize", self.id, str(width), str(height))
+        self.wait_state(window=[width, height])
+
+    # What a person sees.
+
+    def look(self):
+        """The whole window."""
+        width, height = self.state()["window"]
+        data = subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+0+0", "+repage", "-depth", "8", "ppm:-"],
+                              env=self.environment, check=True, capture_output=True, timeout=60).stdout
+        return read_ppm(data)
+
+    def look_at_picture(self):
+        """Only the picture, without panels."""
+        (width, height), (window_width, _) = self.state()["drawn"], self.state()["window"]
+        return self.look().crop(window_width - width, 0, window_width, height)
+
+    def quit(self):
+        self.key("ctrl+q")
+        return self.process.wait(timeout=30)
+
+
+class WindowTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.display = Display()
+        cls.addClassCleanup(cls.display.close)
+
+    def open(self, *arguments, **environment):
+        window = Window(self.display, *arguments, **environment)
+        self.addCleanup(window.close)
+        return window
+
+    def close(self, window):
+        """As at the end of every test: it goes when told to, and has had nothing to complain of."""
+        self.assertEqual(window.quit(), 0, window.standard_error())
+        self.assertEqual(window.standard_error(), "")

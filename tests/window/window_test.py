@@ -1,0 +1,276 @@
+"""The real window, used as a person uses it."""
+
+import struct
+import subprocess
+import sys
+import time
+import unittest
+
+from desk import PROGRAM, Window, WindowTest, missing_tools
+
+SCENES = ("chess", "octopus", "pillars")
+# A small picture: a software renderer draws it in well under a second. The driver's complaints end in exit code 1.
+QUICK = ("--size", "900x600", "--spp", "2", "--map", "256", "--set", "accumulation.renders=4", "--gl-debug")
+PANEL_WIDTH = 340
+
+
+class Techniques(WindowTest):
+    def test_every_technique_and_scene(self):
+        window = self.open("chess", "--technique", "tsm", *QUICK)
+        window.settle(technique="tsm", scene="chess")
+        self.assert_readable(window)
+        titles = self.technique_titles(window)
+        self.assertGreaterEqual(len(titles), 3)
+        seen = {}
+        for title in titles:
+            window.choose("technique", title)
+            window.wait(lambda dump: dump["widgets"]["technique"]["value"] == title, title)
+            state = window.settle()["state"]
+            if state["picture"] == "failed":
+                self.assertTrue(state["failure"])
+                continue
+            seen[title] = window.look_at_picture()
+            self.assert_picture(seen[title])
+        for i, one in enumerate(seen):
+            for other in list(seen)[:i]:
+                self.assertGreater(seen[one].share_different(seen[other]), 0.0005, f"{one} and {other} draw the same")
+        # The same by key; the first of the list is the first key.
+        window.key("2", "1")
+        window.settle(technique="static")
+        pictures = {}
+        for scene in SCENES:
+            window.choose("scene", scene)
+            window.settle(scene=scene)
+            pictures[scene] = window.look_at_picture()
+            self.assert_picture(pictures[scene])
+        self.assertGreater(pictures["chess"].share_different(pictures["octopus"]), 0.3)
+        self.assertGreater(pictures["chess"].share_different(pictures["pillars"]), 0.3)
+        self.close(window)
+
+    def technique_titles(self, window):
+        window.click("technique")
+        dump = window.wait(lambda d: any(name.startswith("technique/") for name in d["widgets"]), "the list of techniques")
+        window.key("Escape")
+        window.press_at(*self.middle_of_picture(window))
+        window.wait(lambda d: not any(name.startswith("technique/") for name in d["widgets"]), "the list to close")
+        return [name.split("/", 1)[1] for name in dump["widgets"] if name.startswith("technique/")]
+
+    @staticmethod
+    def middle_of_picture(window):
+        width, height = window.state()["window"]
+        return (PANEL_WIDTH + width) / 2, height / 3
+
+    def assert_readable(self, window):
+        """Light letters on a dark panel: both there, and far apart."""
+        width, height = window.state()["window"]
+        levels = sorted(window.look().crop(0, 0, PANEL_WIDTH, height).grey())
+        self.assertLess(levels[len(levels) // 2], 60)
+        light = sum(1 for level in levels if level > 160) / len(levels)
+        self.assertGreater(light, 0.01)
+        self.assertLess(light, 0.3)
+
+    def assert_picture(self, picture):
+        levels = sorted(picture.grey())
+        self.assertGreater(levels[-len(levels) // 50] - levels[len(levels) // 50], 40, "the picture is of one colour")
+
+
+class Settings(WindowTest):
+    def test_sliders_change_the_picture_and_reset_brings_it_back(self):
+        window = self.open("chess", "--technique", "tsm", *QUICK)
+        window.settle()
+        before = window.look_at_picture()
+        bias = window.widget("tsm.bias")["value"]
+        self.assertGreater(window.drag_slider("tsm.bias", 0.97), bias)
+        self.assertGreater(window.look_at_picture().share_different(before), 0.005)
+        window.click("tsm.bias.reset")
+        window.wait(lambda dump: dump["widgets"]["tsm.bias"]["value"] == bias, "the default")
+        window.settle()
+        self.assertEqual(window.look_at_picture().share_different(before, 0), 0, "the same settings give the same picture")
+
+        self.assertGreater(window.drag_slider("spp", 0.2), 2)
+        self.assertGreater(window.look_at_picture().share_different(before), 0.005)
+        shutter = window.widget("shutter")["value"]
+        self.assertNotEqual(window.drag_slider("shutter", 0.9), shutter)
+        window.choose("map", "128 × 128")
+        window.wait(lambda dump: "map 128" in dump["widgets"]["status"]["value"], "the other map")
+        window.click("tsm.dynamic_bias")
+        window.wait(lambda dump: dump["widgets"]["tsm.dynamic_bias"]["value"] is True, "the switch")
+        self.assertEqual(window.settle()["state"]["picture"], "complete")
+        self.close(window)
+
+    def test_command_line(self):
+        window = self.open("octopus", "--technique", "accumulation", "--frame", "12", "--view", "visibility", *QUICK)
+        state = window.settle()["state"]
+        self.assertEqual((state["scene"], state["technique"], state["frame"], state["renders"]), ("octopus", "accumulation", 12, [4, 4]))
+        picture = window.look_at_picture()
+        colourful = sum(1 for i in range(0, len(picture.data), 3) if len(set(picture.data[i:i + 3])) > 1)
+        self.assertLess(colourful / (picture.width * picture.height), 0.01, "visibility is grey")
+        window.key("v")
+        time.sleep(0.3)
+        window.settle()
+        self.assertGreater(window.look_at_picture().share_different(picture), 0.3)
+        self.close(window)
+
+    def test_a_scene_that_fails_to_load(self):
+        window = self.open("chess", "--technique", "static", *QUICK)
+        window.settle()
+        (window.folder / "broken.glb").write_bytes(b"no model")
+        window.click("scene.path")
+        window.type("./broken.glb")
+        window.key("Return")
+        dump = window.wait(lambda d: "scene.error" in d["widgets"], "the reason")
+        self.assertIn("broken.glb", dump["widgets"]["scene.error"]["value"])
+        self.assertEqual(window.settle()["state"]["scene"], "chess")
+        self.close(window)
+
+
+class Motion(WindowTest):
+    def test_play_step_scrub(self):
+        window = self.open("chess", "--technique", "static", "--frame", "20", *QUICK)
+        window.settle()
+        still = window.look_at_picture()
+        window.key("Right")
+        window.settle(frame=21)
+        window.key("Left", "Left")
+        window.settle(frame=19)
+        window.click("step.forward")
+        window.settle(frame=20)
+        self.assertEqual(window.look_at_picture().share_different(still, 0), 0, "frame 20 is frame 20")
+        window.key("space")
+        window.wait(lambda dump: dump["state"]["playing"] and dump["state"]["frame"] not in (19, 20, 21), "it plays")
+        window.key("space")
+        state = window.settle(playing=False, preview=False)["state"]
+        self.assertEqual(state["drawn"][0], 900 - PANEL_WIDTH)
+        x0, y0, x1, y1 = window.reveal("scrub")
+        window.press_at(x0 + 0.8 * (x1 - x0), (y0 + y1) / 2)
+        self.assertGreater(window.settle(playing=False)["state"]["frame"], 50)
+        # Nothing moves and nothing changes: nothing is drawn.
+        begun = window.state()["begun"]
+        time.sleep(1.0)
+        self.assertEqual(window.state()["begun"], begun)
+        self.close(window)
+
+    def test_camera(self):
+        window = self.open("pillars", "--technique", "static", *QUICK)
+        window.settle()
+        before = window.look_at_picture()
+        window.drag(600, 300, 700, 260)
+        window.settle(hand_camera=True)
+        orbited = window.look_at_picture()
+        self.assertGreater(orbited.share_different(before), 0.1)
+        window.drag(600, 300, 640, 330, button="3")
+        window.settle()
+        panned = window.look_at_picture()
+        self.assertGreater(panned.share_different(orbited), 0.1)
+        window.click("camera.save")
+        window.wait(lambda dump: "camera.view.1" in dump["widgets"], "the bookmark")
+        window.point(600, 300)
+        window.hand("click", "4")
+        window.hand("click", "4")
+        time.sleep(0.6)
+        window.settle()
+        self.assertGreater(window.look_at_picture().share_different(panned), 0.1)
+        window.click("camera.view.1")
+        time.sleep(0.6)
+        window.settle()
+        self.assertEqual(window.look_at_picture().share_different(panned, 0), 0)
+        window.key("r")
+        window.settle(hand_camera=False)
+        self.assertEqual(window.look_at_picture().share_different(before, 0), 0)
+        self.close(window)
+
+    def test_brute_force_can_be_cancelled(self):
+        window = self.open("chess", "--technique", "accumulation", *QUICK, "--set", "accumulation.renders=4096")
+        window.wait(lambda dump: "cancel" in dump["widgets"] and not dump["state"]["preview"] and dump["state"]["renders"][0] > 1, "progress")
+        window.click("cancel")
+        done = window.settle(picture="cancelled")["state"]["renders"]
+        self.assertLess(done[0], 4096)
+        self.assertIn(f"{done[0]} of 4096", window.wait(lambda d: "stopped" in d["widgets"]["progress"]["value"], "the word")["widgets"]["progress"]["value"])
+        window.click("continue")
+        window.wait(lambda dump: dump["state"]["renders"][0] > done[0] and dump["state"]["picture"] == "drawing", "more renders")
+        window.key("1")
+        self.assertEqual(window.settle(technique="static")["state"]["picture"], "complete")
+        self.close(window)
+
+
+class Windows(WindowTest):
+    def test_sizes(self):
+        window = self.open("chess", "--technique", "static", *QUICK)
+        window.settle()
+        for size in ((1, 1), (40, 30), (300, 900), (1500, 200), (1600, 1000), (2, 700), (900, 600)):
+            window.resize(*size)
+            window.settle()
+        self.assertEqual(window.state()["drawn"][0], 900 - PANEL_WIDTH)
+        # While it plays, and while it is not to be seen.
+        window.key("space")
+        window.wait_state(playing=True)
+        for size in ((40, 30), (1200, 800), (1, 1), (900, 600)):
+            window.resize(*size)
+        window.hand("windowunmap", "--sync", window.id)
+        time.sleep(0.5)
+        window.hand("windowmap", "--sync", window.id)
+        window.focus()
+        window.key("space")
+        window.settle(playing=False)
+        window.key("h")
+        window.settle(panels=False, drawn=[900, 600])
+        window.key("h")
+        window.settle(panels=True)
+        self.close(window)
+
+    def test_screenshot(self):
+        window = self.open("octopus", "--technique", "tsm", "--frame", "7", *QUICK)
+        window.settle()
+        seen = window.look_at_picture()
+        window.key("p")
+        path = window.folder / "timeshade-octopus-tsm-0007.png"
+        window.wait_state(screenshot=str(path))
+        data = path.read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", data[16:24]), (seen.width, seen.height))
+        (window.folder / "seen.ppm").write_bytes(f"P6 {seen.width} {seen.height} 255\n".encode() + seen.data)
+        differing = subprocess.run(["compare", "-metric", "AE", path, window.folder / "seen.ppm", "null:"], capture_output=True, text=True)
+        self.assertEqual(differing.stderr.split()[0], "0", "what is saved is what is seen")
+        self.close(window)
+
+    def test_dense_display(self):
+        small = self.open("chess", "--technique", "static", *QUICK)
+        low = small.widget("scene.path")["rect"]
+        self.close(small)
+        window = self.open("chess", "--technique", "static", *QUICK, "--size", "1400x900", TIMESHADE_UI_SCALE="2")
+        high = window.widget("scene.path")["rect"]
+        self.assertAlmostEqual((high[3] - high[1]) / (low[3] - low[1]), 2.0, delta=0.15)
+        self.assertEqual(window.settle()["state"]["drawn"][0], 1400 - 2 * PANEL_WIDTH)
+        self.close(window)
+
+    def test_closing_it(self):
+        """As the button in the title bar does."""
+        window = self.open("pillars", "--technique", "tsm", *QUICK)
+        window.hand("windowquit", window.id)
+        self.assertEqual(window.process.wait(timeout=30), 0)
+        self.assertEqual(window.standard_error(), "")
+
+    def test_everything_at_once(self):
+        """Keys in quick succession while it plays: nothing has to come of it but a window that is alive."""
+        window = self.open("chess", "--technique", "tsm", *QUICK)
+        for keys in (("space", "2", "v", "1"), ("Right", "3", "h", "Left"), ("h", "r", "space", "v"), ("3", "2", "p", "F1"), ("F1", "1", "space", "3")):
+            window.key(*keys)
+        window.choose("scene", "pillars")
+        window.key("space", "1")
+        window.wait_state(technique="static", scene="pillars")
+        self.close(window)
+
+
+class NoDisplay(unittest.TestCase):
+    def test_one_line(self):
+        result = subprocess.run([PROGRAM, "view", "chess"], env={"PATH": "/usr/bin:/bin"}, capture_output=True, text=True, timeout=60)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(len(result.stderr.splitlines()), 1)
+        self.assertIn("display", result.stderr.lower())
+
+
+if __name__ == "__main__":
+    if missing_tools():
+        print(f"skipped: {', '.join(missing_tools())} not found")
+        sys.exit(77)
+    unittest.main()
