@@ -76,6 +76,7 @@ class Interactive {
     UiDump dump_;
     PictureMouse mouse_;
     int framesLeft_ = framesAfterActivity;
+    std::size_t keysHandled_ = 0;
     std::string title_;
 };
 
@@ -100,7 +101,9 @@ void Interactive::drawFrame(int width, int height) {
 
     ui_.beginFrame(session_.textScale);
     dump_.beginFrame();
-    if (applyKeys(session_, ui_.events().takeKeys())) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+    const std::vector<KeyPress> keys = ui_.events().takeKeys();
+    keysHandled_ += keys.size();
+    if (applyKeys(session_, keys)) glfwSetWindowShouldClose(window_, GLFW_TRUE);
     const Layout layout = layoutOf(ImGui::GetIO().DisplaySize, ui_.scale(), session_.panelsVisible);
     mouse_.apply(session_, layout.picture);
     Widgets widgets(dump_, ui_.scale());
@@ -178,6 +181,7 @@ void Interactive::reportState(int width, int height) {
     if (driver.state() == FrameDriver::State::Failed) dump_.state("failure", driver.failure());
     dump_.state("screenshot", session_.lastScreenshot);
     dump_.state("panels", session_.panelsVisible);
+    dump_.state("keys", keysHandled_);
 }
 
 void writeReport(const Options& options, Session& session) {

@@ -1,5 +1,7 @@
 #include "panels/theme.h"
 
+#include <algorithm>
+
 namespace timeshade {
 
 namespace {
@@ -55,6 +57,9 @@ void applyTheme(float scale) {
     style.ScaleAllSizes(scale);
     // A window smaller than ImGui's idea of the least size must not push panels over its edge.
     style.WindowMinSize = {1.0f, 1.0f};
+    // ImGui aborts where these have no extent.
+    style.ScrollbarSize = std::max(style.ScrollbarSize, 1.0f);
+    style.GrabMinSize = std::max(style.GrabMinSize, 1.0f);
 }
 
 } // namespace timeshade

@@ -151,9 +151,9 @@ std::optional<std::size_t> Widgets::combo(const std::string& id, const std::stri
     beginRow(label);
     if (label.empty() && helpText.empty()) ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const std::string shown = current < entries.size() ? entries[current] : "";
-    const bool open = ImGui::BeginCombo(("##" + id).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
-    if (!open) dump_.lastItem(id, shown);
-    if (open) {
+    if (!ImGui::BeginCombo(("##" + id).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+        dump_.lastItem(id, shown);
+    } else {
         for (std::size_t i = 0; i < entries.size(); ++i) {
             ImGui::PushID(static_cast<int>(i));
             if (ImGui::Selectable(entries[i].c_str(), i == current)) chosen = i;

@@ -36,11 +36,16 @@ float displayScale(GLFWwindow* window) {
 }
 
 /// Where the framebuffer is denser than the window's coordinates (macOS, Wayland), the display's scale is already in it.
-float framebufferScale(GLFWwindow* window) {
+/// The two sizes are asked for one after the other: while the window is being resized they need not belong together.
+float framebufferScale(GLFWwindow* window, float before) {
     int width = 0, height = 0, pixelWidth = 0, pixelHeight = 0;
     glfwGetWindowSize(window, &width, &height);
     glfwGetFramebufferSize(window, &pixelWidth, &pixelHeight);
-    return width > 0 && pixelWidth > 0 ? static_cast<float>(pixelWidth) / static_cast<float>(width) : 1.0f;
+    if (width <= 0 || height <= 0 || pixelWidth <= 0 || pixelHeight <= 0) return before;
+    const float x = static_cast<float>(pixelWidth) / static_cast<float>(width);
+    const float y = static_cast<float>(pixelHeight) / static_cast<float>(height);
+    const bool plausible = x >= 0.5f && x <= 4.0f && std::abs(x - y) <= 0.05f * x;
+    return plausible ? x : before;
 }
 
 } // namespace
@@ -78,7 +83,7 @@ void UiWindow::rebuildFonts() {
 
 void UiWindow::beginFrame(double textScale) {
     const float wanted = displayScale(window_) * static_cast<float>(textScale);
-    pixelsPerUnit_ = framebufferScale(window_);
+    pixelsPerUnit_ = framebufferScale(window_, pixelsPerUnit_);
     const float layoutScale = wanted / pixelsPerUnit_;
     const float fontPixels = std::round(fontHeight * wanted);
     if (fontPixels != fontPixels_) {

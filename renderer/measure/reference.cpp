@@ -5,30 +5,28 @@
 #include <fmt/format.h>
 
 #include "gl/shader_source.h"
+#include "measure/sha256.h"
 #include "measure/truth_technique.h"
 
 namespace timeshade {
 
 namespace {
 
-/// FNV-1a over bytes; the cache compares whole keys, so this only has to tell inputs apart.
+/// Collects bytes and names them by their hash.
 class Digest {
   public:
     void bytes(const void* data, std::size_t count) {
-        const auto* byte = static_cast<const unsigned char*>(data);
-        for (std::size_t i = 0; i < count; ++i) {
-            low_ = (low_ ^ byte[i]) * 0x100000001b3ULL;
-            high_ = (high_ + byte[i]) * 0x9e3779b97f4a7c15ULL ^ (high_ >> 29);
-        }
+        const auto* byte = static_cast<const std::uint8_t*>(data);
+        bytes_.insert(bytes_.end(), byte, byte + count);
     }
     template <typename T>
     void values(const std::vector<T>& vector) {
         bytes(vector.data(), vector.size() * sizeof(T));
     }
-    std::string text() const { return fmt::format("{:016x}{:016x}", low_, high_); }
+    std::string text() const { return toHex(sha256(bytes_)); }
 
   private:
-    std::uint64_t low_ = 0xcbf29ce484222325ULL, high_ = 0x243f6a8885a308d3ULL;
+    std::vector<std::uint8_t> bytes_;
 };
 
 std::string sceneDigest(const FramePlan& plan) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "measure/display_encoding.h"
+#include "measure/embree_peer.h"
 #include "measure/reference.h"
 #include "measure/sweep_journal.h"
 #include "measure/truth_technique.h"
@@ -115,13 +116,13 @@ class SceneSweep {
     /// Embree at its best on the same camera samples: building, primary rays, shadow rays, without any transfer.
     void timeEmbree(const FramePlan& plan, std::map<std::string, double>& times) const {
         auto begin = Clock::now();
-        const Oracle oracle(plan);
+        EmbreePeer peer(plan);
         times["build"] = millisecondsSince(begin);
         begin = Clock::now();
-        const std::vector<std::uint32_t> triangles = oracle.tracePrimaries(plan);
+        peer.tracePrimaries();
         times["sample"] = millisecondsSince(begin);
         begin = Clock::now();
-        oracle.answer(plan, triangles);
+        peer.traceShadows();
         times["lookup"] = millisecondsSince(begin);
     }
 

@@ -46,7 +46,7 @@ double SweptBox::area() const {
 struct SweptBvh::Builder {
     static constexpr std::uint32_t leafSize = 4;
     static constexpr int bins = 16;
-    static constexpr int depthForMedians = maximumDepth - 34;  // 2^32 triangles more need 32 halvings at most
+    static constexpr int depthForMedians = maximumDepth - 34;  // halving takes 32 levels at most from there
 
     SweptBvh& bvh;
     std::vector<SweptBox> boxes;

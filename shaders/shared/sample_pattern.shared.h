@@ -22,6 +22,9 @@ SHARED_FUNCTION vec3 samplePattern(uvec2 pixel, uint k, uint seed, uint salt) {
 
 /// Shutter time of the sample in stratum k: u = base + (k + xi) * scale. With base 0 and scale 1/N these are the
 /// stratified times of design section 1; scale 0 puts every sample at the instant `base`.
-SHARED_FUNCTION float sampleTime(float base, float scale, uint k, float xi) { return base + (float(k) + xi) * scale; }
+/// Never above 1, whatever 1/N rounds to.
+SHARED_FUNCTION float sampleTime(float base, float scale, uint k, float xi) {
+    return min(base + (float(k) + xi) * scale, SHARED_FLOAT(1.0));
+}
 
 SHARED_END

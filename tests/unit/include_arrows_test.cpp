@@ -54,7 +54,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> libraries{
     {"tiny_gltf", {"renderer/scene/"}},
     {"tinyexr", {"renderer/image/"}},
     {"stb_", {"renderer/image/", "renderer/scene/", "renderer/measure/"}},
-    {"embree", {"renderer/oracle/"}},
+    {"embree", {"renderer/oracle/", "renderer/measure/"}},
     {"tbb", {"renderer/oracle/"}},
     {"gtest", {}},
     {"rapidcheck", {}},

@@ -209,8 +209,8 @@ TEST(OracleClosedForm, OneCertainCasterSettlesTheMatter) {
     const Quad certain = sliding(0.0f, 0.0f), touching = sliding(0.6f, 0.6f, 6.0f), touchingBelow = sliding(0.6f, 0.6f, 4.0f);
     EXPECT_FALSE(marginal({certain}));
     EXPECT_TRUE(marginal({touching}));
-    EXPECT_FALSE(marginal({certain, touching}));
-    EXPECT_FALSE(marginal({certain, touchingBelow}));
+    EXPECT_FALSE(marginal({touching, certain}));
+    EXPECT_FALSE(marginal({touchingBelow, certain}));
 }
 
 /// No answer needed: the same shadow in another guise.

@@ -1,5 +1,6 @@
 """A display without a window manager, and a hand and an eye on it: Xvfb, xdotool and ImageMagick."""
 
+import ctypes
 import json
 import os
 import pathlib
@@ -49,6 +50,14 @@ def read_ppm(data):
         at = end + 1
     assert fields[0] == b"P6" and fields[3] == b"255", fields
     return Picture(int(fields[1]), int(fields[2]), data[at:])
+
+
+class ClientMessage(ctypes.Structure):
+    """Xlib's XClientMessageEvent, padded to the size of its XEvent."""
+
+    _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int), ("display", ctypes.c_void_p),
+                ("window", ctypes.c_ulong), ("message", ctypes.c_ulong), ("format", ctypes.c_int), ("data", ctypes.c_long * 5),
+                ("padding", ctypes.c_long * 24)]
 
 
 class Display:
@@ -139,8 +148,11 @@ class Window:
         self.hand("windowfocus", "--sync", self.id)
 
     def key(self, *names):
+        """Presses keys, one after the other, and returns when the window has heeded them."""
+        before = self.state()["keys"]
         for name in names:
             self.hand("key", name)
+        self.wait(lambda dump: dump["state"]["keys"] >= before + len(names), f"the keys {names}")
 
     def type(self, text):
         self.hand("type", "--delay", "40", text)
@@ -215,8 +227,22 @@ class Window:
         (width, height), (window_width, _) = self.state()["drawn"], self.state()["window"]
         return self.look().crop(window_width - width, 0, window_width, height)
 
+    def ask_to_close(self):
+        """What a window manager sends when the button in the title bar is pressed."""
+        x11 = ctypes.CDLL("libX11.so.6")
+        x11.XOpenDisplay.restype = ctypes.c_void_p
+        x11.XInternAtom.restype = ctypes.c_ulong
+        x11.XInternAtom.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int]
+        x11.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long, ctypes.c_void_p]
+        x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+        display = x11.XOpenDisplay(self.environment["DISPLAY"].encode())
+        event = ClientMessage(type=33, window=int(self.id), message=x11.XInternAtom(display, b"WM_PROTOCOLS", 0), format=32)
+        event.data[0] = x11.XInternAtom(display, b"WM_DELETE_WINDOW", 0)
+        x11.XSendEvent(display, int(self.id), 0, 0, ctypes.byref(event))
+        x11.XCloseDisplay(display)  # sends it
+
     def quit(self):
-        self.key("ctrl+q")
+        self.hand("key", "ctrl+q")
         return self.process.wait(timeout=30)
 
 

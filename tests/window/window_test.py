@@ -24,7 +24,7 @@ class Techniques(WindowTest):
         seen = {}
         for title in titles:
             window.choose("technique", title)
-            window.wait(lambda dump: dump["widgets"]["technique"]["value"] == title, title)
+            window.wait(lambda dump: dump["widgets"].get("technique", {}).get("value") == title, title)
             state = window.settle()["state"]
             if state["picture"] == "failed":
                 self.assertTrue(state["failure"])
@@ -246,7 +246,7 @@ class Windows(WindowTest):
     def test_closing_it(self):
         """As the button in the title bar does."""
         window = self.open("pillars", "--technique", "tsm", *QUICK)
-        window.hand("windowquit", window.id)
+        window.ask_to_close()
         self.assertEqual(window.process.wait(timeout=30), 0)
         self.assertEqual(window.standard_error(), "")
 
