@@ -117,7 +117,19 @@ std::vector<std::string> argumentsOfFile(const std::string& path) {
     return arguments;
 }
 
-void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::vector<std::string>& settings) {
+/// The words of --view.
+enum class Pictured { Final, Visibility, Error, Disagreement };
+
+void choosePicture(Pictured pictured, Options& options) {
+    options.view = pictured == Pictured::Visibility ? View::Visibility : View::Final;
+    if (pictured != Pictured::Error && pictured != Pictured::Disagreement) return;
+    const char* name = pictured == Pictured::Error ? "error" : "disagreement";
+    if (options.command != Command::Shot || !options.output.ends_with(".png"))
+        throw UsageError(fmt::format("--view {}: is for `shot` with a .png file; expected final or visibility here", name));
+    options.diagnostic = pictured == Pictured::Error ? Diagnostic::Error : Diagnostic::Disagreement;
+}
+
+void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::vector<std::string>& settings, Pictured& pictured) {
     const auto last = CLI::MultiOptionPolicy::TakeLast;
     app.add_option("--technique", options.technique, "static, tsm, accumulation")->multi_option_policy(last);
     app.add_option("--spp", options.samplesPerPixel, "camera samples per pixel, one per stratum of the shutter")
@@ -145,8 +157,9 @@ void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::ve
     app.add_option("--set", settings, "TECHNIQUE.KEY=VALUE, repeatable (list shows the keys)")->allow_extra_args(false);
     app.add_option("--camera", options.camera, "name of one of the scene's cameras")->check(notEmpty("a camera's name"))->multi_option_policy(last);
     app.add_option("--clip", options.clip, "name of one of the file's animations")->check(notEmpty("a clip's name"))->multi_option_policy(last);
-    app.add_option("--view", options.view, "final, visibility")
-        ->transform(oneOf<View>({{"final", View::Final}, {"visibility", View::Visibility}}))->multi_option_policy(last);
+    app.add_option("--view", pictured, "final, visibility; for shot also error (against a ray-traced reference) and disagreement")
+        ->transform(oneOf<Pictured>({{"final", Pictured::Final}, {"visibility", Pictured::Visibility}, {"error", Pictured::Error},
+                                     {"disagreement", Pictured::Disagreement}}))->multi_option_policy(last);
     app.add_flag("--explain", options.explain, "print the plan: which passes run, and why");
     app.add_option("--json", options.json, "write a report of the frame")->check(notEmpty("a file name"))->multi_option_policy(last);
     app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of, and on a NaN or an infinity in any buffer");
@@ -186,6 +199,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     Options options;
     std::string size;
     std::vector<std::string> settings;
+    Pictured pictured = Pictured::Final;
     std::vector<std::string> arguments(argumentValues + 1, argumentValues + argumentCount);
     options.commandLine = "timeshade";
     for (const std::string& argument : arguments) options.commandLine += " " + argument;
@@ -199,23 +213,23 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
 
     CLI::App* view = app.add_subcommand("view", "open the window");
     view->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file");
-    addFrameOptions(*view, options, size, settings);
+    addFrameOptions(*view, options, size, settings, pictured);
 
     CLI::App* shot = app.add_subcommand("shot", "draw a picture without a window");
     shot->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file")->required();
     shot->add_option("-o,--output", options.output, "F.png or F.exr")->required();
     shot->add_option("--frames", options.frames, "number of frames to draw, one file each (F.0000.png, ...)")->check(numberFrom(1, 100000));
-    addFrameOptions(*shot, options, size, settings);
+    addFrameOptions(*shot, options, size, settings, pictured);
 
     CLI::App* pictures = app.add_subcommand("pictures", "draw every built-in scene into a folder, with a table of times");
     pictures->add_option("-o,--output", options.output, "folder")->required();
-    addFrameOptions(*pictures, options, size, settings);
+    addFrameOptions(*pictures, options, size, settings, pictured);
 
     CLI::App* verify = app.add_subcommand("verify", "compare every camera sample with the ray-traced truth");
     verify->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file")->required();
     verify->add_option("--dump", options.dump, "folder for the data itself: triangles.csv, light.csv, samples.csv");
     verify->add_option("--max-ppm", options.maxPpm, "exit with 3 if more samples in a million disagree")->check(CLI::Range(0.0, 1e6));
-    addFrameOptions(*verify, options, size, settings);
+    addFrameOptions(*verify, options, size, settings, pictured);
 
     CLI::App* measure = app.add_subcommand("measure", "accuracy against time: tables and charts into a folder");
     measure->add_option("scenes", options.measuredScenes, "built-in scenes or files (default: all built-in ones)");
@@ -227,7 +241,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
         ->delimiter(',')->check(numberFrom(minimumMapSize, maximumMapSize));
     measure->add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")->check(numberFrom(2, 1000));
     measure->add_option("--reference", options.referenceSamples, "samples per pixel of the reference")->check(numberFrom(1, 65536));
-    addFrameOptions(*measure, options, size, settings);
+    addFrameOptions(*measure, options, size, settings, pictured);
 
     CLI::App* list = app.add_subcommand("list", "scenes, techniques and their settings");
     list->add_flag("--json", options.listAsJson, "as JSON");
@@ -253,6 +267,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
         const bool known = path.size() > 4 && (path.ends_with(".png") || path.ends_with(".exr"));
         if (!known) throw UsageError(fmt::format("-o {}: expected a name that ends in .png or .exr", path));
     }
+    choosePicture(pictured, options);
     checkSettings(options);
     return options;
 }

@@ -13,6 +13,9 @@ namespace timeshade {
 
 enum class Command { View, Shot, Pictures, Verify, Measure, List };
 
+/// Pictures of what is wrong with a picture: for `shot` alone.
+enum class Diagnostic { None, Error, Disagreement };
+
 /// What the command line (and a settings file) asks for, checked as far as that is possible without a scene or OpenGL.
 struct Options {
     Command command = Command::View;
@@ -23,6 +26,7 @@ struct Options {
     std::string camera;  ///< name of one of the scene's cameras; empty for the first
     std::string clip;    ///< name of one of the file's animations; empty for the first
     View view = View::Final;
+    Diagnostic diagnostic = Diagnostic::None;
     ContextOptions context;
 
     int width = 640, height = 480;

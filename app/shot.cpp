@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnostic_shot.h"
 #include "frame/frame_renderer.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
@@ -60,11 +61,18 @@ int runShot(const Options& options) {
     for (int i = 0; i < options.frames; ++i, request.frame += 1.0) {
         FramePlan plan = planner.plan(request);
         if (options.explain && i == 0) fmt::print("{}", explain(plan, *technique, renderer.device()));
-        drawWithProgress(renderer, std::move(plan), *technique, options.view);
+        std::optional<DisplayImage> diagnostic;
+        if (options.diagnostic == Diagnostic::None)
+            drawWithProgress(renderer, std::move(plan), *technique, options.view);
+        else
+            diagnostic = drawDiagnostic(renderer, plan, *technique, options.diagnostic);
         const std::filesystem::path path = pathOfFrame(options.output, i, options.frames);
         const auto times = renderer.timer().finishFrame();
         watch.requireSilence();
-        write(renderer, path);
+        if (diagnostic)
+            writePng(path, *diagnostic);
+        else
+            write(renderer, path);
         fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), total(times),
                    deviceLine(renderer.device()));
         if (!options.json.empty() && i + 1 == options.frames) {

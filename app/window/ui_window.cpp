@@ -81,6 +81,18 @@ void UiWindow::rebuildFonts() {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
 }
 
+/// ImGui looks at the keys once a frame, and would miss one that is pressed and let go while a slow frame is drawn.
+void UiWindow::holdShortPresses() {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : heldKeys_) io.KeysDown[key] = glfwGetKey(window_, key) == GLFW_PRESS;
+    heldKeys_.clear();
+    for (const KeyPress& press : events_.keys()) {
+        if (press.key < 0 || press.key > GLFW_KEY_LAST) continue;
+        io.KeysDown[press.key] = true;
+        heldKeys_.push_back(press.key);
+    }
+}
+
 void UiWindow::beginFrame(double textScale) {
     const float wanted = displayScale(window_) * static_cast<float>(textScale);
     pixelsPerUnit_ = framebufferScale(window_, pixelsPerUnit_);
@@ -98,6 +110,7 @@ void UiWindow::beginFrame(double textScale) {
     ImGui::GetIO().FontGlobalScale = 1.0f / pixelsPerUnit_;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    holdShortPresses();
     ImGui::NewFrame();
 }
 

@@ -27,12 +27,14 @@ class UiWindow {
 
   private:
     void rebuildFonts();
+    void holdShortPresses();
 
     GLFWwindow* window_;
     WindowEvents events_;
     float layoutScale_ = 0.0f;
     float pixelsPerUnit_ = 1.0f;
     float fontPixels_ = 0.0f;
+    std::vector<int> heldKeys_;  ///< shown to ImGui as down for a frame, whatever has become of them since
 };
 
 } // namespace timeshade

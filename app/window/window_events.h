@@ -23,6 +23,7 @@ class WindowEvents {
 
     /// True once after anything happened.
     bool takeActivity();
+    const std::vector<KeyPress>& keys() const { return keys_; }
     std::vector<KeyPress> takeKeys();
     /// Paths of files dropped on the window.
     std::vector<std::string> takeDropped();

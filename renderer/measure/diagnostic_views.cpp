@@ -1,0 +1,118 @@
+#include "measure/diagnostic_views.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "measure/chart_canvas.h"
+#include "scene/error.h"
+#include "shared/display_curve.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr int stripHeight = 34;  // of the scale or legend below the picture
+constexpr double decades = 4.0;
+constexpr Rgb falseShadowColor{40, 120, 255}, falseLitColor{255, 150, 20};
+
+/// OKLab to sRGB (Ottosson 2020), clipped.
+Rgb fromOklab(double lightness, double chroma, double hueDegrees) {
+    const double a = chroma * std::cos(hueDegrees * 3.14159265358979 / 180.0), b = chroma * std::sin(hueDegrees * 3.14159265358979 / 180.0);
+    const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3.0), m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3.0),
+                 s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3.0);
+    const auto encode = [](double linear) {
+        return static_cast<std::uint8_t>(std::lround(255.0f * shared::encodeSrgb(static_cast<float>(std::clamp(linear, 0.0, 1.0)))));
+    };
+    return {encode(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s), encode(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+            encode(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
+}
+
+/// 0: nearly black, by way of violet and orange, 1: pale yellow.
+Rgb errorColor(double t) { return fromOklab(0.08 + 0.88 * t, 0.19 * std::pow(std::sin(3.14159265 * (0.08 + 0.84 * t)), 0.8), 300.0 + 165.0 * t); }
+
+void setPixel(DisplayImage& image, std::size_t pixel, Rgb color) {
+    image.rgb[3 * pixel] = color.red;
+    image.rgb[3 * pixel + 1] = color.green;
+    image.rgb[3 * pixel + 2] = color.blue;
+}
+
+/// The picture with a strip that `draw` fills below it.
+template <typename Draw>
+DisplayImage withStrip(const DisplayImage& picture, const Draw& draw) {
+    ChartCanvas canvas(picture.width, stripHeight, Rgb{20, 20, 24});
+    const ChartFonts fonts;
+    draw(canvas, fonts.regular);
+    const DisplayImage strip = canvas.picture();
+    DisplayImage whole{picture.width, picture.height + stripHeight, picture.rgb};
+    whole.rgb.insert(whole.rgb.end(), strip.rgb.begin(), strip.rgb.end());
+    return whole;
+}
+
+void write(ChartCanvas& canvas, const ChartFont& font, const std::string& text, double x, double y) {
+    canvas.drawMask(font.render(text, 12.0, x, y), Rgb{225, 225, 230});
+}
+
+std::uint8_t mix(double from, double to, double share) { return static_cast<std::uint8_t>(std::lround(from + (to - from) * share)); }
+
+} // namespace
+
+DisplayImage errorView(const LinearImage& image, const LinearImage& reference, double fullScale) {
+    if (image.width != reference.width || image.height != reference.height)
+        throw Error(fmt::format("a picture of {} x {} cannot be compared with a reference of {} x {}", image.width, image.height,
+                                reference.width, reference.height));
+    DisplayImage out{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size())};
+    for (std::size_t pixel = 0; pixel < image.rgb.size() / 3; ++pixel) {
+        double difference = 0.0;
+        for (std::size_t c = 0; c < 3; ++c)
+            difference = std::max(difference, std::abs(static_cast<double>(image.rgb[3 * pixel + c]) - static_cast<double>(reference.rgb[3 * pixel + c])));
+        setPixel(out, pixel, errorColor(difference > 0.0 ? std::clamp(1.0 + std::log10(difference / fullScale) / decades, 0.0, 1.0) : 0.0));
+    }
+    return withStrip(out, [&](ChartCanvas& canvas, const ChartFont& font) {
+        const double left = 12.0, right = std::max(left + 1.0, out.width - 12.0);
+        for (double x = left; x < right; x += 1.0) canvas.fillBox({x, 4.0, x + 1.0, 14.0}, errorColor((x + 0.5 - left) / (right - left)));
+        for (int decade = 0; decade <= 4; ++decade) {
+            const std::string text = fmt::format("{:g}", fullScale * std::pow(10.0, decade - decades));
+            const double x = left + (right - left) * decade / decades, width = font.width(text, 12.0);
+            write(canvas, font, text, std::clamp(x - 0.5 * width, left, right - width), 28.0);
+        }
+    });
+}
+
+DisagreementView::DisagreementView(int width, int height)
+    : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+void DisagreementView::add(const VerifiedSample& sample) {
+    if (!sample.truth.tested) return;
+    Counts& counts = pixels_[(static_cast<std::size_t>(height_) - 1 - sample.index.y) * static_cast<std::size_t>(width_) + sample.index.x];
+    ++counts.tested;
+    const bool lit = sample.lit >= 0.5f;
+    if (lit != sample.truth.lit) ++(lit ? counts.falseLit : counts.falseShadow);
+}
+
+DisplayImage DisagreementView::draw(const DisplayImage& picture) const {
+    DisplayImage out = picture;
+    unsigned long falseShadow = 0, falseLit = 0;
+    for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) {
+        const Counts& counts = pixels_[pixel];
+        falseShadow += counts.falseShadow;
+        falseLit += counts.falseLit;
+        const double grey = 0.5 * (0.2126 * out.rgb[3 * pixel] + 0.7152 * out.rgb[3 * pixel + 1] + 0.0722 * out.rgb[3 * pixel + 2]);
+        const double tested = std::max(1u, counts.tested), shadow = counts.falseShadow / tested, lit = counts.falseLit / tested;
+        // The root lets one wrong sample of many be seen.
+        const double strength = std::sqrt(shadow + lit), part = shadow + lit > 0.0 ? lit / (shadow + lit) : 0.0;
+        setPixel(out, pixel, {mix(grey, mix(falseShadowColor.red, falseLitColor.red, part), strength), mix(grey, mix(falseShadowColor.green, falseLitColor.green, part), strength),
+                              mix(grey, mix(falseShadowColor.blue, falseLitColor.blue, part), strength)});
+    }
+    return withStrip(out, [&](ChartCanvas& canvas, const ChartFont& font) {
+        canvas.fillBox({12.0, 10.0, 24.0, 22.0}, falseShadowColor);
+        write(canvas, font, fmt::format("false shadow: {} samples", falseShadow), 30.0, 21.0);
+        const double half = 0.5 * out.width;
+        canvas.fillBox({half, 10.0, half + 12.0, 22.0}, falseLitColor);
+        write(canvas, font, fmt::format("false lit: {} samples", falseLit), half + 18.0, 21.0);
+    });
+}
+
+} // namespace timeshade

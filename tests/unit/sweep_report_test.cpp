@@ -1,0 +1,131 @@
+// What measure writes is what was measured: chart, table and journal hold the same numbers.
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "measure/chart_layout.h"
+#include "measure/sweep_journal.h"
+#include "measure/sweep_report.h"
+
+namespace timeshade {
+
+namespace {
+
+SweepRow makeRow(const std::string& technique, int effort, double milliseconds, double rmse, std::uint64_t wrong) {
+    SweepRow row;
+    row.point = {"chess", technique, effort, 512};
+    row.steps["total"] = {milliseconds, milliseconds - 1.0, milliseconds + 1.0};
+    row.steps["build"] = {milliseconds / 3.0, 0.1, 7.0};
+    row.error.rmse = rmse;
+    row.error.psnr = 40.0;
+    row.error.offBy30 = 0.0125;
+    row.biasAndNoise = {0.5 * rmse, 0.8 * rmse, 0.4 * rmse};
+    row.verification.samples = 2'000'000;
+    row.verification.tested = 1'000'000;
+    row.verification.falseShadow = wrong;
+    row.bytes = 12345678;
+    return row;
+}
+
+std::vector<SweepRow> makeRows() {
+    return {makeRow("static", 1, 10.25, 0.1, 40000), makeRow("static", 4, 41.5, 0.05, 40100), makeRow("tsm", 1, 31.0 / 3.0, 0.2, 9000),
+            makeRow("tsm", 4, 123.456789012345, 0.0123456789, 7000)};
+}
+
+std::vector<std::vector<std::string>> tableOf(const std::string& csv) {
+    std::vector<std::vector<std::string>> table;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        table.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) table.back().push_back(cell);
+    }
+    return table;
+}
+
+std::size_t columnOf(const std::vector<std::string>& header, const std::string& name) {
+    const auto found = std::find(header.begin(), header.end(), name);
+    EXPECT_NE(found, header.end()) << name;
+    return static_cast<std::size_t>(found - header.begin());
+}
+
+struct Folder {
+    Folder() : path(std::filesystem::temp_directory_path() / ("timeshade-sweep-" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(path);
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    std::filesystem::path path;
+};
+
+TEST(SweepReport, TheChartsPointsAreTheTablesNumbers) {
+    const std::vector<SweepRow> rows = makeRows();
+    const auto table = tableOf(sweepCsv(rows));
+    ASSERT_EQ(table.size(), rows.size() + 1);
+    for (const ChartOf what : {ChartOf::Error, ChartOf::Disagreement}) {
+        const Chart chart = sweepChart(rows, "chess", what, true);
+        const std::size_t x = columnOf(table[0], "total_ms"), y = columnOf(table[0], what == ChartOf::Error ? "rmse" : "ppm");
+        std::size_t line = 1;
+        for (const ChartSeries& series : chart.series)
+            for (const ChartPoint& point : series.points) {
+                EXPECT_EQ(series.name, table[line][columnOf(table[0], "technique")]);
+                EXPECT_DOUBLE_EQ(point.x, std::stod(table[line][x]));
+                EXPECT_DOUBLE_EQ(point.y, std::stod(table[line][y]));
+                ++line;
+            }
+        EXPECT_EQ(line, table.size());
+    }
+}
+
+TEST(SweepReport, EveryLineHasAllColumns) {
+    const auto table = tableOf(sweepCsv(makeRows()));
+    for (const auto& line : table) EXPECT_EQ(line.size(), table[0].size());
+}
+
+TEST(SweepReport, FilesAreWrittenWithTheirManifest) {
+    const Folder folder;
+    SweepManifest manifest;
+    manifest.commandLine = "timeshade measure chess";
+    manifest.commit = "0123456789ab";
+    manifest.device.software = true;
+    writeSweepReport(folder.path, manifest, makeRows());
+    for (const char* name : {"accuracy.csv", "accuracy.json", "manifest.json", "report.md", "accuracy.png", "chess-error.png", "chess-disagreement.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path / name)) << name;
+    std::ifstream report(folder.path / "report.md");
+    const std::string text{std::istreambuf_iterator<char>(report), {}};
+    EXPECT_NE(text.find("Software renderer"), std::string::npos);
+    EXPECT_NE(text.find("0123456789ab"), std::string::npos);
+    EXPECT_NE(text.find("| tsm | 4 | 512 |"), std::string::npos);
+}
+
+TEST(SweepJournal, RowsSurviveTheWayThroughJson) {
+    for (const SweepRow& row : makeRows()) EXPECT_EQ(rowAsJson(rowFromJson(rowAsJson(row))), rowAsJson(row));
+}
+
+TEST(SweepJournal, GoesOnWhereItWasAndDropsALineThatIsCutOff) {
+    const Folder folder;
+    const std::filesystem::path path = folder.path / "rows.jsonl";
+    const std::vector<SweepRow> rows = makeRows();
+    {
+        SweepJournal journal(path, "experiment A");
+        journal.append(rows[0]);
+        journal.append(rows[1]);
+    }
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) - 5);
+    SweepJournal again(path, "experiment A");
+    ASSERT_NE(again.find(rows[0].point), nullptr);
+    EXPECT_EQ(rowAsJson(*again.find(rows[0].point)), rowAsJson(rows[0]));
+    EXPECT_EQ(again.find(rows[1].point), nullptr);
+    const SweepJournal other(path, "experiment B");
+    EXPECT_EQ(other.find(rows[0].point), nullptr) << "rows of another experiment are not those of this one";
+}
+
+} // namespace
+
+} // namespace timeshade
