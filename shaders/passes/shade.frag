@@ -54,8 +54,10 @@ Surface surfaceOf(Receiver r, uint material) {
 vec3 reflected(Surface s, vec3 toLight, vec3 toEye) {
     float nl = dot(s.normal, toLight), nv = max(dot(s.normal, toEye), 1e-3);
     if (nl <= 0.0) return vec3(0.0);
-    vec3 halfway = normalize(toLight + toEye);
-    float nh = max(dot(s.normal, halfway), 0.0), vh = max(dot(toEye, halfway), 0.0);
+    vec3 sum = toLight + toEye;
+    vec3 halfway = sum * inversesqrt(max(dot(sum, sum), 1e-12));  // opposite directions: no highlight, no division by 0
+    // A cosine may round to above 1, and a power of a negative number is no number.
+    float nh = clamp(dot(s.normal, halfway), 0.0, 1.0), vh = clamp(dot(toEye, halfway), 0.0, 1.0);
     float alpha = max(s.roughness * s.roughness, 1e-3), alpha2 = alpha * alpha;
     float d = nh * nh * (alpha2 - 1.0) + 1.0;
     float distribution = alpha2 / (PI * d * d);

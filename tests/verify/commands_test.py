@@ -1,0 +1,109 @@
+"""`verify` and `measure` as a user runs them: gates, reports, same numbers every time, resumed sweeps.
+
+usage: commands_test.py PROGRAM SOURCE_FOLDER
+"""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = sys.argv[1]
+SMALL = ["--size", "160x120", "--spp", "2", "--map", "256"]
+
+
+def run(*arguments, cache=None):
+    environment = dict(os.environ)
+    if cache:
+        environment["XDG_CACHE_HOME"] = cache
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False, env=environment)
+
+
+class Verify(unittest.TestCase):
+    def test_same_numbers_every_time(self):
+        first, second = (run("verify", "octopus", *SMALL, "--json", "-") for _ in range(2))
+        self.assertEqual(first.returncode, 0, first.stderr)
+        self.assertEqual(first.stdout, second.stdout)
+
+    def test_report_has_what_is_promised(self):
+        report = json.loads(run("verify", "chess", "--technique", "static", *SMALL, "--json", "-").stdout)
+        for key in ("scene", "technique", "settings", "spp", "size", "map", "seed", "frame", "samples", "tested", "shadowed", "disagree",
+                    "false_shadow", "false_lit", "ppm", "primary_tested", "primary_disagree", "primary_ppm", "gl"):
+            self.assertIn(key, report)
+        self.assertEqual(report["disagree"], report["false_shadow"] + report["false_lit"])
+        self.assertEqual(report["samples"], 160 * 120 * 2)
+
+    def test_sample_pass_sees_what_the_oracle_sees(self):
+        for scene in ("chess", "octopus", "pillars"):
+            report = json.loads(run("verify", scene, "--technique", "static", *SMALL, "--json", "-").stdout)
+            self.assertLessEqual(report["primary_ppm"], 20, scene)
+
+    def test_tsm_is_worst_on_pillars(self):
+        ppm = {scene: json.loads(run("verify", scene, *SMALL, "--json", "-").stdout)["ppm"] for scene in ("chess", "octopus", "pillars")}
+        self.assertEqual(max(ppm, key=ppm.get), "pillars", ppm)
+
+    def test_gate(self):
+        self.assertEqual(run("verify", "chess", *SMALL, "--max-ppm", "0").returncode, 3)
+        self.assertEqual(run("verify", "chess", *SMALL, "--max-ppm", "1000000").returncode, 0)
+
+
+class Measure(unittest.TestCase):
+    def test_tables_and_resuming(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out, cache = os.path.join(folder, "out"), os.path.join(folder, "cache")
+            arguments = ["measure", "chess", "-o", out, "--techniques", "static,tsm,embree", "--spps", "1,2", "--rounds", "2", "--reference", "32",
+                         "--size", "80x60", "--map", "128"]
+            first = run(*arguments, cache=cache)
+            self.assertEqual(first.returncode, 0, first.stderr)
+            with open(os.path.join(out, "accuracy.csv"), newline="", encoding="utf-8") as stream:
+                rows = list(csv.DictReader(stream))
+            self.assertEqual([(r["technique"], r["spp"]) for r in rows],
+                             [(t, s) for t in ("static", "tsm", "embree") for s in ("1", "2")])
+            for row in rows:
+                self.assertGreater(float(row["total_ms"]), 0)
+                self.assertGreater(float(row["rmse"]), 0)
+            self.assertEqual([float(r["disagree"]) for r in rows if r["technique"] == "embree"], [0, 0])
+            with open(os.path.join(out, "accuracy.json"), encoding="utf-8") as stream:
+                self.assertIn("renderer", json.load(stream)["manifest"]["gl"])
+            # Interrupted after the first row: the row is kept to the last digit, the others are measured anew, and errors
+            # and counts come out the same.
+            journal = os.path.join(out, "rows.jsonl")
+            with open(journal, encoding="utf-8") as stream:
+                lines = stream.readlines()
+            with open(journal, "w", encoding="utf-8") as stream:
+                stream.writelines(lines[:2])
+            self.assertEqual(run(*arguments, cache=cache).returncode, 0)
+            with open(journal, encoding="utf-8") as stream:
+                again = stream.readlines()
+            self.assertEqual(again[:2], lines[:2])
+            for before, after in zip(map(json.loads, lines[1:]), map(json.loads, again[1:])):
+                self.assertEqual(before["error"], after["error"])
+                self.assertEqual(before["verify"], after["verify"])
+
+    def test_unknown_technique(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("measure", "chess", "-o", folder, "--techniques", "tsm,magic")
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("magic", result.stderr)
+
+
+class Diagnostics(unittest.TestCase):
+    def test_views(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sizes = []
+            for view in ("final", "error", "disagreement"):
+                path = os.path.join(folder, view + ".png")
+                result = run("shot", "chess", *SMALL, "--view", view, "-o", path, cache=folder)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                sizes.append(os.path.getsize(path))
+            self.assertEqual(len(set(sizes)), 3)
+
+    def test_only_for_png_shots(self):
+        self.assertEqual(run("shot", "chess", "--view", "error", "-o", "x.exr").returncode, 2)
+        self.assertEqual(run("verify", "chess", "--view", "error").returncode, 2)
+
+
+unittest.main(argv=[sys.argv[0]])
