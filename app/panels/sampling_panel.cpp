@@ -16,7 +16,8 @@ void drawMapSize(Session& session, Widgets& widgets) {
     std::vector<std::string> names;
     for (const int size : sizes) names.push_back(fmt::format("{0} × {0}", size));
     const auto current = static_cast<std::size_t>(std::find(sizes.begin(), sizes.end(), mapSize) - sizes.begin());
-    if (const auto chosen = widgets.combo("map", "Light's map", names, current, "Texels of the light's map. Finer shadows; memory and time grow with the square."))
+    if (const auto chosen = widgets.combo("map", "Light's map", names, current,
+                                          "Texels of the light's map. Finer shadows; memory and time grow with the square."))
         mapSize = sizes[*chosen];
 }
 

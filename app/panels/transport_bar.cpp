@@ -81,7 +81,7 @@ void drawTransportBar(Session& session, Widgets& widgets, const Area& area) {
             drawProgress(session, widgets);
         else {
             ImGui::AlignTextToFramePadding();
-            ImGui::TextColored(session.driver.preview() ? theme::warning : theme::quiet, "%s", statusOf(session).c_str());
+            ImGui::TextColored(session.driver.preview() && session.driver.hasPlan() ? theme::warning : theme::quiet, "%s", statusOf(session).c_str());
             widgets.dump().lastItem("status", statusOf(session));
         }
     }

@@ -130,6 +130,8 @@ void FrameDriver::forgetTimes() {
 }
 
 void FrameDriver::fail(const char* what) {
+    // What OpenGL remembers of it must not be taken for the next picture's failure. A lost context reports for ever.
+    for (int i = 0; i < 100 && glGetError() != GL_NO_ERROR; ++i) {}
     failure_ = what;
     state_ = State::Failed;
     toMeasure_ = 0;

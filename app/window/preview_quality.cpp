@@ -12,8 +12,9 @@ struct Level {
     int mapDivisor;
 };
 constexpr std::array<Level, PreviewQuality::levels> ladder{
-    {{1.0, 1, 1}, {0.7, 1, 1}, {0.5, 1, 1}, {0.5, 2, 1}, {0.35, 2, 2}, {0.35, 4, 4}, {0.25, 4, 4}, {0.2, 8, 8}}};
+    {{1.0, 1, 1}, {0.7, 1, 1}, {0.5, 1, 1}, {0.5, 2, 1}, {0.35, 2, 2}, {0.35, 4, 4}, {0.25, 4, 4}, {0.2, 16, 32}}};
 constexpr double fastMilliseconds = 50.0;
+constexpr int framesUntilRetry = 40;
 // Below these nothing can be recognised any more.
 constexpr int leastSamples = 2, leastMap = 256, leastSide = 96;
 
@@ -40,13 +41,26 @@ FrameRequest PreviewQuality::reduced(FrameRequest full, int level) const {
     return full;
 }
 
+void PreviewQuality::forget() {
+    cost_.fill(std::nullopt);
+    fastFrames_ = 0;
+}
+
 void PreviewQuality::measured(int level, double milliseconds) {
     cost_[static_cast<std::size_t>(level)] = milliseconds;
+    const bool fast = milliseconds < fastMilliseconds;
+    fastFrames_ = fast && level == level_ ? fastFrames_ + 1 : 0;
     if (milliseconds > slowMilliseconds) {
         level_ = std::min(std::max(level_, level + stepFor(milliseconds)), levels - 1);
-    } else if (milliseconds < fastMilliseconds && level == level_ && level > 0) {
+    } else if (fast && level < level_) {
+        level_ = level;
+    } else if (fastFrames_ > 0 && level > 0) {
+        // What was slow once may have compiled shaders then: it is tried again now and then.
         const std::optional<double>& below = cost_[static_cast<std::size_t>(level - 1)];
-        if (!below || *below <= slowMilliseconds) level_ = level - 1;
+        if (!below || *below <= slowMilliseconds || fastFrames_ >= framesUntilRetry) {
+            level_ = level - 1;
+            fastFrames_ = 0;
+        }
     }
 }
 

@@ -23,10 +23,11 @@ class PreviewQuality {
     /// A frame of that level took so long. Chooses the level of the next.
     void measured(int level, double milliseconds);
     /// Another technique or scene: what was measured says nothing any more.
-    void forget() { cost_.fill(std::nullopt); }
+    void forget();
 
   private:
     int level_;
+    int fastFrames_ = 0;  ///< in a row, at this level
     std::array<std::optional<double>, levels> cost_{};
 };
 

@@ -1,13 +1,20 @@
 #!/usr/bin/env bash
-# Draws the pictures of the README again: tsm at 8 samples per pixel beside brute force of 1,024 renders. Takes some
-# minutes on a software renderer.
+# Draws the pictures of the README again. Takes some minutes on a software renderer.
 set -euo pipefail
 
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+run=$here/../../run
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+
+# tsm at 8 samples per pixel beside brute force of 1,024 renders
 for scene in chess octopus pillars; do
-    "$here/../../run" shot "$scene" --technique tsm --spp 8 --size 640x480 -o "$work/$scene-tsm.png"
-    "$here/../../run" shot "$scene" --technique accumulation --set accumulation.renders=1024 --size 640x480 -o "$work/$scene-accumulation.png"
+    "$run" shot "$scene" --technique tsm --spp 8 --size 640x480 -o "$work/$scene-tsm.png"
+    "$run" shot "$scene" --technique accumulation --set accumulation.renders=1024 --size 640x480 -o "$work/$scene-accumulation.png"
     convert "$work/$scene-tsm.png" "$work/$scene-accumulation.png" +append -quality 88 "$here/$scene.jpg"
 done
+
+# what is wrong with a picture
+"$run" shot pillars --size 480x360 --map 512 --view error -o "$work/error.png"
+"$run" shot pillars --size 480x360 --map 512 --view disagreement -o "$work/disagreement.png"
+convert "$work/error.png" "$work/disagreement.png" +append -quality 88 "$here/wrong.jpg"

@@ -57,8 +57,6 @@ void FrameRenderer::resize(int width, int height, int strata) {
         radiance_ = gl::Texture::image2D("radiance", GL_RGBA32F, width, height);
         picture_ = gl::Texture::image2D("picture", GL_RGBA8, width, height);
     }
-    if (glGetError() == GL_OUT_OF_MEMORY)
-        throw Error(fmt::format("not enough GPU memory for a picture of {} x {} with {} samples a pixel", width, height, strata));
 }
 
 void FrameRenderer::begin(FramePlan plan, Technique& technique, View view) {

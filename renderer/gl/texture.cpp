@@ -2,6 +2,10 @@
 
 #include <cassert>
 
+#include <fmt/format.h>
+
+#include "scene/error.h"
+
 namespace timeshade::gl {
 
 namespace {
@@ -10,6 +14,16 @@ GLuint createTexture(GLenum target) {
     glCreateTextures(target, 1, &name);
     return name;
 }
+/// Reserves memory with `allocate`, and says what it was for where there is not enough.
+template <typename Allocate>
+void reserve(const std::string& labelText, std::size_t bytes, const Allocate& allocate) {
+    while (glGetError() != GL_NO_ERROR) {}  // what went wrong before is not this texture's fault
+    allocate();
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw Error(fmt::format("not enough GPU memory for the texture '{}' ({:.0f} MiB); expected a smaller picture, map or number of samples",
+                                labelText, static_cast<double>(bytes) / (1024.0 * 1024.0)));
+}
+
 } // namespace
 
 Texture::Texture(GLenum target, const std::string& labelText) : Object(createTexture(target)) {
@@ -23,26 +37,26 @@ Texture::Texture(GLenum target, const std::string& labelText) : Object(createTex
 Texture Texture::array2D(const std::string& labelText, GLenum internalFormat, int width, int height, int layers) {
     assert(width > 0 && height > 0 && layers > 0);
     Texture texture(GL_TEXTURE_2D_ARRAY, labelText);
-    glTextureStorage3D(texture.name(), 1, internalFormat, width, height, layers);
     texture.format_ = internalFormat;
     texture.width_ = width;
     texture.height_ = height;
     texture.layers_ = layers;
     texture.bytes_ = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                      static_cast<std::size_t>(layers);
+    reserve(labelText, texture.bytes_, [&] { glTextureStorage3D(texture.name(), 1, internalFormat, width, height, layers); });
     return texture;
 }
 
 Texture Texture::image2D(const std::string& labelText, GLenum internalFormat, int width, int height, int levels) {
     assert(width > 0 && height > 0 && levels > 0);
     Texture texture(GL_TEXTURE_2D, labelText);
-    glTextureStorage2D(texture.name(), levels, internalFormat, width, height);
     texture.format_ = internalFormat;
     texture.width_ = width;
     texture.height_ = height;
     texture.layers_ = 1;
     const std::size_t base = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     texture.bytes_ = levels > 1 ? base + base / 3 : base;
+    reserve(labelText, texture.bytes_, [&] { glTextureStorage2D(texture.name(), levels, internalFormat, width, height); });
     return texture;
 }
 

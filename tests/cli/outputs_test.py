@@ -3,6 +3,7 @@
 import os
 import pathlib
 import resource
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -59,13 +60,17 @@ class Unwritable(ProgramTest):
         self.refuse_outputs("/proc/F", ("/proc/F",))
 
     def test_a_folder_that_is_read_only(self):
-        os.chmod(self.folder, 0o555)
-        self.addCleanup(os.chmod, self.folder, 0o755)
         options = {}
         if os.geteuid() == 0:  # permissions do not bind root
-            options = {"user": 65534, "group": 65534}
-            if subprocess.run([PROGRAM, "--version"], capture_output=True, **options).returncode != 0:
+            # A copy, since the checkout may lie where no other user can look (in /root, say).
+            elsewhere = tempfile.mkdtemp()
+            self.addCleanup(shutil.rmtree, elsewhere)
+            os.chmod(elsewhere, 0o755)
+            options = {"user": 65534, "group": 65534, "executable": shutil.copy(PROGRAM, elsewhere)}
+            if subprocess.run([PROGRAM, "--version"], capture_output=True, check=False, **options).returncode != 0:
                 self.skipTest("no other user can run the program here")
+        os.chmod(self.folder, 0o555)
+        self.addCleanup(os.chmod, self.folder, 0o755)
         self.refuse(1, ("F.png", "Permission denied"), *SHOT, "-o", "F.png", **options)
 
     def test_a_file_system_that_is_read_only(self):

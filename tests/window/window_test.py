@@ -111,6 +111,18 @@ class Settings(WindowTest):
         self.assertGreater(window.look_at_picture().share_different(picture), 0.3)
         self.close(window)
 
+    def test_more_than_the_device_has(self):
+        """16 GiB of maps. Where that fails it is said, and everything goes on from there."""
+        window = self.open("pillars", "--technique", "tsm", *QUICK, "--map", "8192", "--spp", "32", "--set", "tsm.dynamic_bias=on")
+        state = window.settle()["state"]
+        if state["picture"] == "failed":
+            window.wait(lambda dump: "failure" in dump["widgets"], "the reason")
+        window.choose("map", "256 × 256")
+        window.wait(lambda dump: dump["widgets"].get("map", {}).get("value") == "256 × 256", "the smaller map")
+        self.assertEqual(window.settle()["state"]["picture"], "complete")
+        self.assertGreater(window.state()["begun"], state["begun"])
+        self.assertEqual(window.quit(), 1 if state["picture"] == "failed" else 0, "the driver's complaints are heard by --gl-debug")
+
     def test_a_scene_that_fails_to_load(self):
         window = self.open("chess", "--technique", "static", *QUICK)
         window.settle()

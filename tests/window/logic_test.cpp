@@ -1,0 +1,196 @@
+// What the window decides without a window: time, camera, how coarsely to draw, and where things go.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "panels/widgets.h"
+#include "window/frame_times.h"
+#include "window/layout.h"
+#include "window/orbit_camera.h"
+#include "window/playback.h"
+#include "window/preview_quality.h"
+
+namespace timeshade {
+namespace {
+
+TEST(Playback, StaysWithinTheLoop) {
+    Playback playback;
+    playback.setLoop(2.0, 24.0);
+    EXPECT_EQ(playback.loopFrames(), 48);
+    playback.step(-1);
+    EXPECT_EQ(playback.frame(), 47.0);
+    playback.step(1);
+    EXPECT_EQ(playback.frame(), 0.0);
+    playback.play(true);
+    playback.advance(1.0 / 48.0);
+    EXPECT_EQ(playback.frame(), 0.0) << "half a frame is kept for later";
+    playback.advance(1.0 / 48.0 + 1e-9);
+    EXPECT_EQ(playback.frame(), 1.0);
+    playback.advance(2.0);
+    EXPECT_EQ(playback.frame(), 1.0) << "a whole loop";
+}
+
+TEST(Playback, TakesAnyFrameFromTheCommandLine) {
+    Playback playback;
+    playback.setLoop(1.0, 10.0);
+    playback.jump(-3.5);
+    EXPECT_EQ(playback.frame(), -3.5);
+    EXPECT_EQ(playback.frameInLoop(), 6);
+    playback.jump(1e6);
+    EXPECT_EQ(playback.frameInLoop(), 0);
+    playback.step(1);
+    EXPECT_EQ(playback.frame(), 1.0);
+}
+
+TEST(Playback, DoesNotPlayWhatDoesNotMove) {
+    Playback playback;
+    playback.setLoop(0.0, 24.0);
+    playback.play(true);
+    EXPECT_FALSE(playback.playing());
+    playback.step(1);
+    EXPECT_EQ(playback.frame(), 0.0);
+}
+
+Bounds unitBounds() {
+    Bounds bounds;
+    bounds.add(glm::dvec3(-1.0));
+    bounds.add(glm::dvec3(1.0));
+    return bounds;
+}
+
+TEST(OrbitCamera, KeepsItsDistanceAndLooksAtTheSamePoint) {
+    OrbitCamera camera(lookAt({0.0, 2.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.8, 0.01), unitBounds());
+    const double distance = glm::length(camera.pose().eye);
+    for (int i = 0; i < 1000; ++i) camera.orbit(0.1, i % 2 == 0 ? 0.7 : -0.65);
+    EXPECT_NEAR(glm::length(camera.pose().eye), distance, 1e-9);
+    EXPECT_NEAR(glm::length(glm::cross(glm::normalize(camera.pose().eye), camera.pose().axes[2])), 0.0, 1e-9);
+    EXPECT_LT(std::abs(camera.pose().axes[2].y), 1.0) << "never straight down";
+    EXPECT_NEAR(glm::determinant(camera.pose().axes), 1.0, 1e-9);
+    EXPECT_NEAR(camera.pose().axes[0].y, 0.0, 1e-9) << "the horizon stays level";
+}
+
+TEST(OrbitCamera, ZoomHasEnds) {
+    OrbitCamera camera(lookAt({0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.8, 0.01), unitBounds());
+    for (int i = 0; i < 1000; ++i) camera.zoom(0.5);
+    EXPECT_GT(camera.pose().eye.z, 0.0);
+    EXPECT_LT(camera.pose().nearDistance, camera.pose().eye.z);
+    for (int i = 0; i < 1000; ++i) camera.zoom(2.0);
+    EXPECT_TRUE(std::isfinite(camera.pose().eye.z));
+}
+
+TEST(OrbitCamera, PanMovesByTheWidthThatIsSeen) {
+    OrbitCamera camera(lookAt({0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 2.0 * std::atan(0.5), 0.01), unitBounds());
+    camera.pan(0.0, 1.0);  // the picture is 5 units high where the point of interest lies
+    EXPECT_NEAR(camera.pose().eye.y, 5.0, 1e-9);
+    EXPECT_NEAR(camera.pose().eye.z, 5.0, 1e-9);
+}
+
+FrameRequest fullRequest() {
+    FrameRequest request;
+    request.width = 1280;
+    request.height = 720;
+    return request;
+}
+
+/// A renderer whose time is in proportion to samples and to map texels.
+double costOf(const FrameRequest& r) {
+    return r.samplesPerPixel * (static_cast<double>(r.width) * r.height * 2.5e-4 + static_cast<double>(r.mapSize) * r.mapSize * 1e-4);
+}
+
+TEST(PreviewQuality, BecomesFastEnoughAndStaysSo) {
+    PreviewQuality quality(false);
+    EXPECT_EQ(quality.level(), 0) << "hardware is trusted first";
+    double cost = 0.0;
+    for (int i = 0; i < 20; ++i) {
+        cost = costOf(quality.reduced(fullRequest(), quality.level()));
+        quality.measured(quality.level(), cost);
+    }
+    EXPECT_LE(cost, PreviewQuality::slowMilliseconds);
+    EXPECT_GT(quality.level(), 0);
+}
+
+TEST(PreviewQuality, DrawsAllOfAFastPicture) {
+    PreviewQuality quality(true);
+    for (int i = 0; i < 20; ++i) quality.measured(quality.level(), 5.0);
+    EXPECT_EQ(quality.level(), 0);
+    const FrameRequest full = fullRequest(), drawn = quality.reduced(full, 0);
+    EXPECT_EQ(drawn.width, full.width);
+    EXPECT_EQ(drawn.samplesPerPixel, full.samplesPerPixel);
+    EXPECT_EQ(drawn.mapSize, full.mapSize);
+}
+
+TEST(PreviewQuality, ForgivesOneSlowPicture) {
+    PreviewQuality quality(false);
+    quality.measured(0, 900.0);  // it compiled shaders
+    EXPECT_GT(quality.level(), 0);
+    for (int i = 0; i < 200 && quality.level() > 0; ++i) quality.measured(quality.level(), 5.0);
+    EXPECT_EQ(quality.level(), 0);
+}
+
+TEST(PreviewQuality, NeverAsksForNothing) {
+    const PreviewQuality quality(true);
+    FrameRequest tiny;
+    tiny.width = tiny.height = tiny.samplesPerPixel = 1;
+    tiny.mapSize = minimumMapSize;
+    for (int level = 0; level < PreviewQuality::levels; ++level) {
+        const FrameRequest drawn = quality.reduced(tiny, level);
+        EXPECT_EQ(std::min({drawn.width, drawn.height, drawn.samplesPerPixel}), 1);
+        EXPECT_EQ(drawn.mapSize, minimumMapSize);
+    }
+}
+
+bool overlap(const Area& a, const Area& b) {
+    return !a.empty() && !b.empty() && a.position.x < b.position.x + b.size.x && b.position.x < a.position.x + a.size.x &&
+           a.position.y < b.position.y + b.size.y && b.position.y < a.position.y + a.size.y;
+}
+
+TEST(Layout, NothingOverlapsOrSticksOut) {
+    for (const float scale : {0.5f, 1.0f, 2.0f, 4.0f}) {
+        for (const float width : {1.0f, 40.0f, 300.0f, 900.0f, 3840.0f}) {
+            for (const float height : {1.0f, 30.0f, 200.0f, 600.0f, 2160.0f}) {
+                const Layout layout = layoutOf({width, height}, scale, true);
+                EXPECT_FALSE(overlap(layout.side, layout.transport));
+                EXPECT_FALSE(layout.picture.empty());
+                for (const Area& area : {layout.side, layout.transport, layout.picture}) {
+                    EXPECT_LE(area.position.x + area.size.x, width);
+                    EXPECT_LE(area.position.y + area.size.y, height);
+                }
+                const Layout bare = layoutOf({width, height}, scale, false);
+                EXPECT_EQ(bare.picture.size.x, width);
+                EXPECT_TRUE(bare.side.empty() && bare.transport.empty());
+            }
+        }
+    }
+    const Layout usual = layoutOf({1280.0f, 720.0f}, 1.0f, true);
+    EXPECT_FALSE(overlap(usual.side, usual.picture));
+    EXPECT_FALSE(overlap(usual.transport, usual.picture));
+}
+
+TEST(FrameTimes, MedianOfTheLastFrames) {
+    FrameTimes times;
+    EXPECT_EQ(times.frames(), 0u);
+    EXPECT_TRUE(times.medians().empty());
+    times.add({});
+    EXPECT_EQ(times.frames(), 0u) << "a frame without figures is no figure of 0";
+    times.add({{"build", 100.0}, {"lookup", 1.0}});
+    times.add({{"build", 2.0}, {"lookup", 4.0}});
+    times.add({{"build", 3.0}, {"lookup", 2.0}});
+    ASSERT_EQ(times.medians().size(), 2u);
+    EXPECT_EQ(times.medians()[0].milliseconds, 3.0);
+    EXPECT_EQ(times.medians()[1].milliseconds, 2.0);
+    EXPECT_EQ(times.medianTotal(), 6.0) << "of 101, 6 and 5";
+    for (int i = 0; i < 100; ++i) times.add({{"build", 7.0}});
+    EXPECT_EQ(times.frames(), FrameTimes::kept);
+    EXPECT_EQ(times.medianTotal(), 7.0);
+}
+
+TEST(Titles, OfSettings) {
+    EXPECT_EQ(titleOfKey("dynamic_bias"), "Dynamic bias");
+    EXPECT_EQ(titleOfKey("pcf_radius"), "PCF radius");
+    EXPECT_EQ(titleOfKey(""), "");
+}
+
+} // namespace
+} // namespace timeshade
