@@ -68,6 +68,7 @@ class Interactive {
     void drawFrame(int width, int height);
     void drawPicture(const Area& area);
     void reportState(int width, int height);
+    void drawCompared(const gl::Texture& compared, const Area& area);
     void takeScreenshot();
 
     GLFWwindow* window_;
@@ -118,6 +119,8 @@ void Interactive::drawFrame(int width, int height) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool held = mouse_.dragging() || (ImGui::IsAnyItemActive() && io.MouseDown[0]);
     if (session_.driver.update(session_.wanted(held), session_.now)) framesLeft_ = std::max(framesLeft_, 2);
+    // One after the other: a step of each would make the window slower to answer.
+    if (session_.diagnosticPicture.update(session_, session_.request.width) || session_.accuracy.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
     if (session_.wishedScreenshot) takeScreenshot();
     drawPicture(layout.picture);
     reportState(width, height);
@@ -126,12 +129,21 @@ void Interactive::drawFrame(int width, int height) {
 }
 
 void Interactive::drawPicture(const Area& area) {
+    if (const gl::Texture* compared = session_.diagnosticPicture.picture()) return drawCompared(*compared, area);
     const gl::Texture* picture = session_.driver.picture();
     if (picture == nullptr) return;
     const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture->name()));
     const ImVec2 end{area.position.x + area.size.x, area.position.y + area.size.y};
     // OpenGL's rows go upwards.
     ImGui::GetBackgroundDrawList()->AddImage(id, area.position, end, {0.0f, 1.0f}, {1.0f, 0.0f});
+}
+
+void Interactive::drawCompared(const gl::Texture& compared, const Area& area) {
+    const auto width = static_cast<float>(compared.width()), height = static_cast<float>(compared.height());
+    const float factor = std::min(area.size.x / width, area.size.y / height);
+    const ImVec2 corner{area.position.x + 0.5f * (area.size.x - factor * width), area.position.y + 0.5f * (area.size.y - factor * height)};
+    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(compared.name()));
+    ImGui::GetBackgroundDrawList()->AddImage(id, corner, {corner.x + factor * width, corner.y + factor * height});
 }
 
 void Interactive::takeScreenshot() {
@@ -146,7 +158,8 @@ void Interactive::takeScreenshot() {
     }
     const std::filesystem::path path = std::filesystem::absolute(session_.screenshotName()).lexically_normal();
     try {
-        writePng(path, session_.renderer.readPicture());
+        const DiagnosticPicture& compared = session_.diagnosticPicture;
+        writePng(path, compared.complete() ? compared.image() : session_.renderer.readPicture());
         session_.lastScreenshot = path.string();
         session_.notify("Saved " + path.string());
     } catch (const std::exception& error) {
@@ -179,6 +192,8 @@ void Interactive::reportState(int width, int height) {
         dump_.state("renders", {session_.renderer.rendersDone(), session_.renderer.renders()});
     }
     if (driver.state() == FrameDriver::State::Failed) dump_.state("failure", driver.failure());
+    static constexpr const char* diagnostics[] = {"none", "error", "disagreement"};
+    dump_.state("diagnostic", {diagnostics[static_cast<int>(session_.diagnostic)], driver.settled() && session_.diagnosticPicture.complete()});
     dump_.state("screenshot", session_.lastScreenshot);
     dump_.state("panels", session_.panelsVisible);
     dump_.state("keys", keysHandled_);

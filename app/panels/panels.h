@@ -21,6 +21,7 @@ void drawSamplingPanel(Session& session, Widgets& widgets);
 void drawViewPanel(Session& session, Widgets& widgets);
 void drawCameraPanel(Session& session, Widgets& widgets);
 void drawTimesPanel(Session& session, Widgets& widgets);
+void drawAccuracyPanel(Session& session, Widgets& widgets);
 void drawPlanPanel(Session& session, Widgets& widgets);
 
 } // namespace timeshade

@@ -45,6 +45,7 @@ void drawSidePanel(Session& session, Widgets& widgets, const Area& area) {
         drawViewPanel(session, widgets);
         drawCameraPanel(session, widgets);
         drawTimesPanel(session, widgets);
+        drawAccuracyPanel(session, widgets);
         drawPlanPanel(session, widgets);
     }
     ImGui::End();

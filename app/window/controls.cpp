@@ -25,7 +25,10 @@ void applyKey(Session& session, int key) {
     case GLFW_KEY_SPACE: session.playback.play(!session.playback.playing()); return;
     case GLFW_KEY_LEFT: session.playback.step(-1); return;
     case GLFW_KEY_RIGHT: session.playback.step(1); return;
-    case GLFW_KEY_V: session.view = session.view == View::Final ? View::Visibility : View::Final; return;
+    case GLFW_KEY_V:
+        session.view = session.view == View::Final && session.diagnostic == Diagnostic::None ? View::Visibility : View::Final;
+        session.diagnostic = Diagnostic::None;
+        return;
     case GLFW_KEY_P: session.wishedScreenshot = true; return;
     case GLFW_KEY_H: session.panelsVisible = !session.panelsVisible; return;
     case GLFW_KEY_R: session.useSceneCamera(session.request.cameraIndex); return;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "window/moment_key.h"
+
 namespace timeshade {
 
 namespace {
@@ -15,8 +17,6 @@ double milliseconds() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void append(std::vector<double>& key, const glm::dvec3& v) { key.insert(key.end(), {v.x, v.y, v.z}); }
-
 /// What decides how long a picture takes, apart from the view.
 std::vector<double> methodKeyOf(const FrameDriver::Wanted& wanted) {
     const FrameRequest& r = wanted.request;
@@ -26,14 +26,8 @@ std::vector<double> methodKeyOf(const FrameDriver::Wanted& wanted) {
 }
 
 std::vector<double> frameKeyOf(const FrameDriver::Wanted& wanted) {
-    const FrameRequest& r = wanted.request;
-    std::vector<double> key{double(wanted.view), double(r.seed), r.frame, r.shutter.framesPerSecond, r.shutter.length,
-                            double(r.shutter.position), double(r.cameraIndex)};
-    if (r.cameraPose) {
-        append(key, r.cameraPose->eye);
-        for (int i = 0; i < 3; ++i) append(key, r.cameraPose->axes[i]);
-        key.insert(key.end(), {r.cameraPose->verticalFieldOfView, r.cameraPose->nearDistance});
-    }
+    std::vector<double> key = momentKeyOf(wanted.request);
+    key.insert(key.end(), {double(wanted.view), double(wanted.request.seed)});
     return key;
 }
 

@@ -11,9 +11,12 @@
 #include "options.h"
 #include "scene/scene.h"
 #include "techniques/technique.h"
+#include "window/accuracy.h"
+#include "window/diagnostic_picture.h"
 #include "window/frame_driver.h"
 #include "window/orbit_camera.h"
 #include "window/playback.h"
+#include "window/trail_chart.h"
 
 namespace timeshade {
 
@@ -64,6 +67,12 @@ struct Session {
     Playback playback;
     std::optional<OrbitCamera> camera;  ///< while the camera is not the scene's own
     std::vector<SavedView> savedViews;
+
+    Diagnostic diagnostic = Diagnostic::None;  ///< in place of the view
+    DiagnosticPicture diagnosticPicture;
+    Accuracy accuracy;
+    TrailChart trailChart;
+    std::string accuracyOther;  ///< the technique that equal time and equal error choose
 
     std::optional<std::string> wishedScene, wishedTechnique;
     bool wishedScreenshot = false;

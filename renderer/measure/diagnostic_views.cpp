@@ -39,6 +39,19 @@ void setPixel(DisplayImage& image, std::size_t pixel, Rgb color) {
     image.rgb[3 * pixel + 2] = color.blue;
 }
 
+/// Each pixel as a square of so many a side.
+DisplayImage enlargedBy(const DisplayImage& picture, int factor) {
+    if (factor == 1) return picture;
+    DisplayImage large{picture.width * factor, picture.height * factor, {}};
+    large.rgb.reserve(picture.rgb.size() * static_cast<std::size_t>(factor * factor));
+    for (int y = 0; y < large.height; ++y)
+        for (int x = 0; x < large.width; ++x) {
+            const auto pixel = static_cast<std::ptrdiff_t>(y / factor) * picture.width + x / factor;
+            large.rgb.insert(large.rgb.end(), picture.rgb.begin() + 3 * pixel, picture.rgb.begin() + 3 * pixel + 3);
+        }
+    return large;
+}
+
 /// The picture with a strip that `draw` fills below it.
 template <typename Draw>
 DisplayImage withStrip(const DisplayImage& picture, const Draw& draw) {
@@ -59,7 +72,7 @@ std::uint8_t mix(double from, double to, double share) { return static_cast<std:
 
 } // namespace
 
-DisplayImage errorView(const LinearImage& image, const LinearImage& reference, double fullScale) {
+DisplayImage errorView(const LinearImage& image, const LinearImage& reference, double fullScale, int enlarged) {
     if (image.width != reference.width || image.height != reference.height)
         throw Error(fmt::format("a picture of {} x {} cannot be compared with a reference of {} x {}", image.width, image.height,
                                 reference.width, reference.height));
@@ -70,13 +83,14 @@ DisplayImage errorView(const LinearImage& image, const LinearImage& reference, d
             difference = std::max(difference, std::abs(static_cast<double>(image.rgb[3 * pixel + c]) - static_cast<double>(reference.rgb[3 * pixel + c])));
         setPixel(out, pixel, errorColor(difference > 0.0 ? std::clamp(1.0 + std::log10(difference / fullScale) / decades, 0.0, 1.0) : 0.0));
     }
+    out = enlargedBy(out, enlarged);
     return withStrip(out, [&](ChartCanvas& canvas, const ChartFont& font) {
         const double left = 12.0, right = std::max(left + 1.0, out.width - 12.0);
         for (double x = left; x < right; x += 1.0) canvas.fillBox({x, 4.0, x + 1.0, 14.0}, errorColor((x + 0.5 - left) / (right - left)));
         for (int decade = 0; decade <= 4; ++decade) {
             const std::string text = fmt::format("{:g}", fullScale * std::pow(10.0, decade - decades));
             const double x = left + (right - left) * decade / decades, width = font.width(text, 12.0);
-            write(canvas, font, text, std::clamp(x - 0.5 * width, left, right - width), 28.0);
+            write(canvas, font, text, std::clamp(x - 0.5 * width, left, std::max(left, right - width)), 28.0);
         }
     });
 }
@@ -92,7 +106,7 @@ void DisagreementView::add(const VerifiedSample& sample) {
     if (lit != sample.truth.lit) ++(lit ? counts.falseLit : counts.falseShadow);
 }
 
-DisplayImage DisagreementView::draw(const DisplayImage& picture) const {
+DisplayImage DisagreementView::draw(const DisplayImage& picture, int enlarged) const {
     DisplayImage out = picture;
     unsigned long falseShadow = 0, falseLit = 0;
     for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) {
@@ -106,6 +120,7 @@ DisplayImage DisagreementView::draw(const DisplayImage& picture) const {
         setPixel(out, pixel, {mix(grey, mix(falseShadowColor.red, falseLitColor.red, part), strength), mix(grey, mix(falseShadowColor.green, falseLitColor.green, part), strength),
                               mix(grey, mix(falseShadowColor.blue, falseLitColor.blue, part), strength)});
     }
+    out = enlargedBy(out, enlarged);
     return withStrip(out, [&](ChartCanvas& canvas, const ChartFont& font) {
         canvas.fillBox({12.0, 10.0, 24.0, 22.0}, falseShadowColor);
         write(canvas, font, fmt::format("false shadow: {} samples", falseShadow), 30.0, 21.0);

@@ -8,8 +8,9 @@
 namespace timeshade {
 
 /// |image - reference|, the largest of the three channels in linear light, in a colour map whose lightness grows evenly
-/// (OKLab), over four decades up to `fullScale`; a scale stands below. Throws Error where the sizes differ.
-DisplayImage errorView(const LinearImage& image, const LinearImage& reference, double fullScale = 1.0);
+/// (OKLab), over four decades up to `fullScale`; a scale stands below. Each pixel becomes a square of `enlarged` pixels
+/// a side; the scale's letters keep their size. Throws Error where the sizes differ.
+DisplayImage errorView(const LinearImage& image, const LinearImage& reference, double fullScale = 1.0, int enlarged = 1);
 
 /// Counts per pixel which of its camera samples were answered wrongly.
 class DisagreementView {
@@ -18,8 +19,8 @@ class DisagreementView {
     /// To be handed to verifyFrame.
     void add(const VerifiedSample& sample);
     /// The picture in grey, false shadow in blue, false lit in orange, each as strong as its share of the pixel's tested samples;
-    /// a legend with both counts stands below. `picture` has the view's size.
-    DisplayImage draw(const DisplayImage& picture) const;
+    /// a legend with both counts stands below. `picture` has the view's size; `enlarged` as above.
+    DisplayImage draw(const DisplayImage& picture, int enlarged = 1) const;
 
   private:
     struct Counts {

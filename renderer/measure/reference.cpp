@@ -1,6 +1,8 @@
 #include "measure/reference.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -86,24 +88,44 @@ std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options)
                        options.view == View::Final ? "final" : "visibility");
 }
 
-LinearImage referenceImage(FrameRenderer& renderer, const FramePlan& plan, const ReferenceOptions& options, ReferenceCache& cache) {
-    const std::string key = referenceKey(plan, options);
-    if (std::optional<LinearImage> cached = cache.load(key, plan.request.width, plan.request.height)) return std::move(*cached);
-    TruthTechnique truth;
-    const int batches = batchesOf(options);
-    LinearImage mean{plan.request.width, plan.request.height, {}};
-    std::vector<double> sum;
-    for (int batch = 0; batch < batches; ++batch) {
-        renderer.draw(batchPlan(plan, batch), truth, options.view);
-        const LinearImage image = renderer.readRadiance();
-        sum.resize(image.rgb.size());
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(image.rgb[i]);
-        if (options.progress) options.progress(batch + 1, batches);
+ReferenceBuilder::ReferenceBuilder(FramePlan plan, const ReferenceOptions& options, const ReferenceCache& cache)
+    : plan_(std::move(plan)), view_(options.view), cache_(cache), key_(referenceKey(plan_, options)),
+      batches_(batchesOf(options)) {}
+
+ReferenceBuilder::~ReferenceBuilder() = default;
+
+bool ReferenceBuilder::step(FrameRenderer& renderer) {
+    if (complete()) return true;
+    if (!soughtInCache_) {
+        soughtInCache_ = true;
+        if (std::optional<LinearImage> cached = cache_.load(key_, plan_.request.width, plan_.request.height)) image_ = std::move(*cached);
+        return complete();
     }
-    for (const double value : sum) mean.rgb.push_back(static_cast<float>(value / batches));
+    if (!truth_) truth_ = std::make_unique<TruthTechnique>();
+    renderer.draw(batchPlan(plan_, done_), *truth_, view_);
+    const LinearImage batch = renderer.readRadiance();
     renderer.timer().finishFrame();  // a reference's times are nobody's measurement
-    cache.store(key, mean);
-    return mean;
+    sum_.resize(batch.rgb.size());
+    for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += static_cast<double>(batch.rgb[i]);
+    if (++done_ == batches_) finish();
+    return complete();
+}
+
+void ReferenceBuilder::finish() {
+    image_ = {plan_.request.width, plan_.request.height, {}};
+    for (const double value : sum_) image_.rgb.push_back(static_cast<float>(value / batches_));
+    cache_.store(key_, image_);
+    truth_.reset();  // and with it all that the ray tracer holds
+}
+
+LinearImage referenceImage(FrameRenderer& renderer, const FramePlan& plan, const ReferenceOptions& options, ReferenceCache& cache) {
+    ReferenceBuilder builder(plan, options, cache);
+    int told = 0;
+    while (!builder.step(renderer)) {
+        if (options.progress && builder.batchesDone() > told) options.progress(told = builder.batchesDone(), builder.batches());
+    }
+    if (options.progress && builder.batchesDone() > told) options.progress(builder.batchesDone(), builder.batches());
+    return builder.image();
 }
 
 } // namespace timeshade

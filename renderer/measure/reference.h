@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "frame/frame_renderer.h"
 #include "measure/reference_cache.h"
@@ -13,6 +15,40 @@ struct ReferenceOptions {
     int samplesPerPixel = 256;  ///< rounded up to whole batches of maximumSamplesPerPixel
     View view = View::Final;    ///< Visibility: the lit share alone
     std::function<void(int, int)> progress;  ///< batches done, of how many
+};
+
+class TruthTechnique;
+
+/// Makes a reference a batch at a time, so that a window stays alive meanwhile. The cache must outlive it.
+class ReferenceBuilder {
+  public:
+    ReferenceBuilder(FramePlan plan, const ReferenceOptions& options, const ReferenceCache& cache);
+    ~ReferenceBuilder();
+    ReferenceBuilder(const ReferenceBuilder&) = delete;
+    ReferenceBuilder& operator=(const ReferenceBuilder&) = delete;
+
+    bool complete() const { return !image_.rgb.empty(); }
+    int batchesDone() const { return done_; }
+    int batches() const { return batches_; }
+    /// Samples per pixel of the whole picture.
+    int samplesPerPixel() const { return batches_ * maximumSamplesPerPixel; }
+    /// Looks into the cache the first time and draws one batch after that. True when the picture is complete.
+    bool step(FrameRenderer& renderer);
+    /// The picture, once it is complete.
+    const LinearImage& image() const { return image_; }
+
+  private:
+    void finish();
+
+    FramePlan plan_;
+    View view_;
+    const ReferenceCache& cache_;
+    std::unique_ptr<TruthTechnique> truth_;
+    std::string key_;
+    int batches_, done_ = 0;
+    bool soughtInCache_ = false;
+    std::vector<double> sum_;
+    LinearImage image_;
 };
 
 /// Draws the reference, or takes it from the cache. The key holds everything that the picture depends on: mesh, light,

@@ -1,5 +1,7 @@
 #include "measure/verification.h"
 
+#include <utility>
+
 #include "shared/hash.shared.h"
 
 namespace timeshade {
@@ -73,21 +75,35 @@ class RenderComparison {
 
 } // namespace
 
+FrameVerification::FrameVerification(FrameRenderer& renderer, FramePlan plan, Technique& technique, VerificationOptions options)
+    : renderer_(renderer), plan_(std::move(plan)), options_(std::move(options)), oracle_(plan_) {
+    renderer_.begin(plan_, technique, View::Visibility);
+}
+
+bool FrameVerification::step() {
+    if (done_ == renders()) return true;
+    renderer_.step();
+    const FramePlan drawn = renders() > 1 ? planAtInstant(plan_, done_, renders()) : plan_;
+    const std::vector<std::uint32_t> triangles = renderer_.readSampleIds();
+    RenderComparison comparison(oracle_, drawn, options_, sum_);
+    comparison.compareLit(triangles, renderer_.readVisibility(), done_);
+    if (options_.checkPrimaries) comparison.comparePrimaries(triangles);
+    ++done_;
+    if (options_.progress) options_.progress(done_, renders());
+    return done_ == renders();
+}
+
+Verification FrameVerification::result() const {
+    Verification verification = sum_;
+    if (sum_.tested > 0) verification.meanAbsoluteError /= static_cast<double>(sum_.tested);
+    return verification;
+}
+
 Verification verifyFrame(FrameRenderer& renderer, const FramePlan& plan, Technique& technique, const VerificationOptions& options) {
-    const Oracle oracle(plan);
-    Verification sum;
-    renderer.begin(plan, technique, View::Visibility);
-    for (int render = 0; render < renderer.renders(); ++render) {
-        renderer.step();
-        const FramePlan drawn = renderer.renders() > 1 ? planAtInstant(plan, render, renderer.renders()) : plan;
-        const std::vector<std::uint32_t> triangles = renderer.readSampleIds();
-        RenderComparison comparison(oracle, drawn, options, sum);
-        comparison.compareLit(triangles, renderer.readVisibility(), render);
-        if (options.checkPrimaries) comparison.comparePrimaries(triangles);
-        if (options.progress) options.progress(render + 1, renderer.renders());
+    FrameVerification verification(renderer, plan, technique, options);
+    while (!verification.step()) {
     }
-    if (sum.tested > 0) sum.meanAbsoluteError /= static_cast<double>(sum.tested);
-    return sum;
+    return verification.result();
 }
 
 } // namespace timeshade

@@ -52,7 +52,29 @@ struct VerificationOptions {
 };
 
 /// Draws the frame and compares every camera sample of it: `lit` with the oracle's truth, and the triangle seen with the
-/// oracle's primary ray. Wherever technique and Embree disagree, the double-precision ruling decides.
+/// oracle's primary ray. Wherever technique and Embree disagree, the double-precision ruling decides. One render a
+/// step, so that a window stays alive; nobody else may draw with this renderer in between.
+class FrameVerification {
+  public:
+    /// The technique must outlive it.
+    FrameVerification(FrameRenderer& renderer, FramePlan plan, Technique& technique, VerificationOptions options);
+    /// True when all renders have been compared.
+    bool step();
+    int rendersDone() const { return done_; }
+    int renders() const { return renderer_.renders(); }
+    /// Of what has been compared so far.
+    Verification result() const;
+
+  private:
+    FrameRenderer& renderer_;
+    FramePlan plan_;
+    VerificationOptions options_;
+    Oracle oracle_;
+    Verification sum_;
+    int done_ = 0;
+};
+
+/// The same in one go.
 Verification verifyFrame(FrameRenderer& renderer, const FramePlan& plan, Technique& technique, const VerificationOptions& options);
 
 } // namespace timeshade

@@ -1,8 +1,10 @@
 """The real window, used as a person uses it."""
 
+import shutil
 import struct
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -202,6 +204,43 @@ class Motion(WindowTest):
         window.wait(lambda dump: dump["state"]["renders"][0] > done[0] and dump["state"]["picture"] == "drawing", "more renders")
         window.key("1")
         self.assertEqual(window.settle(technique="static")["state"]["picture"], "complete")
+        self.close(window)
+
+
+class Accuracy(WindowTest):
+    def test_live_point_and_equal_time(self):
+        cache = tempfile.mkdtemp(prefix="timeshade-cache-")
+        self.addCleanup(shutil.rmtree, cache, ignore_errors=True)
+        window = self.open("pillars", "--technique", "tsm", *QUICK, XDG_CACHE_HOME=cache)
+        window.settle()
+        begun = window.state()["begun"]
+        self.assertNotIn("accuracy", window.state())
+        window.click("section.accuracy")
+        dump = window.wait(lambda d: d["state"].get("accuracy", {}).get("points") == 1 and d["state"]["accuracy"]["state"] == "idle", "the live point")
+        self.assertGreater(float(dump["widgets"]["accuracy.rmse"]["value"]), 0.0)
+        self.assertRegex(dump["widgets"]["accuracy.ms"]["value"], r"^[0-9.]+ ms$")
+        self.assertEqual(window.state()["begun"], begun, "the picture is left alone")
+        window.click("accuracy.time")
+        dump = window.wait(lambda d: d["state"]["accuracy"]["said"] and d["state"]["accuracy"]["state"] == "idle", "an equal")
+        self.assertGreater(dump["state"]["accuracy"]["points"], 1)
+        # How long things take is the machine's affair: a busy one may find that no effort takes as long.
+        said = dump["state"]["accuracy"]["said"]
+        self.assertIn("static at", said)
+        if not said.startswith("Out of range"):
+            samples = int(said.split("static at ")[1].split(" spp")[0])
+            window.settle(technique="static")
+            self.assertEqual(window.widget("spp")["value"], samples)
+        # The two views that compare, each with its legend.
+        window.click("view/error")
+        window.wait_state(diagnostic=["error", True])
+        window.click("view/disagreement")
+        window.wait_state(diagnostic=["disagreement", True])
+        window.key("v")
+        window.wait_state(diagnostic=["none", False])
+        # Another frame has another reference.
+        window.key("Right")
+        window.wait(lambda d: d["state"]["accuracy"]["points"] <= 1 and d["state"]["frame"] != 0, "an empty trail")
+        window.wait(lambda d: d["state"]["accuracy"]["points"] == 1 and d["state"]["accuracy"]["state"] == "idle", "its first point")
         self.close(window)
 
 

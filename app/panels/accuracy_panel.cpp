@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "panels/panels.h"
+#include "panels/theme.h"
+#include "scene/error.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr float chartHeight = 220.0f, smallestChartWidth = 260.0f;
+constexpr double chartScale = 0.8;
+
+std::string progressOf(const Accuracy& accuracy) {
+    switch (accuracy.state()) {
+    case Accuracy::State::Waiting: return "waiting for the picture to be still";
+    case Accuracy::State::Reference:
+        if (const ReferenceBuilder* reference = accuracy.probe().reference())
+            return fmt::format("making the reference: {} of {}", reference->batchesDone(), reference->batches());
+        return "making the reference";
+    case Accuracy::State::Measuring: return accuracy.trying().empty() ? "measuring ..." : fmt::format("trying {} ...", accuracy.trying());
+    case Accuracy::State::Failed: return "can't be measured: " + accuracy.failure();
+    case Accuracy::State::Idle: break;
+    }
+    return "";
+}
+
+void drawChartOf(Session& session, Widgets& widgets) {
+    const float width = std::max(ImGui::GetContentRegionAvail().x, smallestChartWidth * widgets.scale());
+    const float height = chartHeight * widgets.scale();
+    // As sharp as the display: in its pixels, not in ImGui's units.
+    const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;
+    const auto inPixels = [&](float units) { return static_cast<int>(std::lround(units * pixels)); };
+    const Accuracy& accuracy = session.accuracy;
+    TrailChart& chart = session.trailChart;
+    try {
+        chart.update(accuracy.trail(), accuracy.current(), accuracy.revision(), inPixels(width), inPixels(height),
+                     chartScale * static_cast<double>(widgets.scale() * pixels), session.renderer.device().software);
+    } catch (const Error& error) {
+        widgets.paragraph(error.what(), theme::bad);
+        return;
+    }
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(chart.picture()->name())), {width, height});
+    widgets.dump().lastItem("accuracy.chart", accuracy.trail().size());
+    if (const auto place = chart.currentPlace()) {
+        const ImVec2 centre{corner.x + static_cast<float>(place->x) / pixels, corner.y + static_cast<float>(place->y) / pixels};
+        ImGui::GetWindowDrawList()->AddCircle(centre, 8.0f * widgets.scale(), IM_COL32(20, 20, 24, 255), 0, 1.6f * widgets.scale());
+    }
+}
+
+/// The technique to be held against the current one; by default the next in the list.
+std::string drawOther(Session& session, Widgets& widgets) {
+    const std::vector<TechniqueDescription>& all = techniqueDescriptions();
+    const std::string& now = session.technique->description().name;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].name != now) names.push_back(all[i].name);
+    if (names.empty()) return "";
+    auto chosen = std::find(names.begin(), names.end(), session.accuracyOther);
+    if (chosen == names.end()) chosen = names.begin();
+    const auto picked = widgets.combo("accuracy.other", "Against", names, static_cast<std::size_t>(chosen - names.begin()),
+                                      "The technique that the two buttons choose, with as many samples a pixel (or renders) as make it as slow, or as wrong, as the current one.");
+    session.accuracyOther = picked ? names[*picked] : *chosen;
+    return session.accuracyOther;
+}
+
+void drawButtons(Session& session, Widgets& widgets, const std::string& other) {
+    Accuracy& accuracy = session.accuracy;
+    const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    const bool ready = accuracy.current() != nullptr && accuracy.state() == Accuracy::State::Idle && !other.empty();
+    ImGui::BeginDisabled(!ready);
+    if (widgets.button("accuracy.time", "Equal time", half)) accuracy.match(session, other, Accuracy::Level::Time);
+    ImGui::SameLine();
+    if (widgets.button("accuracy.error", "Equal error", half)) accuracy.match(session, other, Accuracy::Level::Error);
+    ImGui::EndDisabled();
+    if (!accuracy.trying().empty()) {
+        if (widgets.button("accuracy.stop", "Stop", half)) accuracy.stopMatch();
+    } else if (widgets.button("accuracy.clear", "Clear", half)) {
+        accuracy.clear();
+    }
+}
+
+} // namespace
+
+void drawAccuracyPanel(Session& session, Widgets& widgets) {
+    static constexpr const char* states[] = {"waiting", "reference", "measuring", "idle", "failed"};
+    if (!widgets.section("section.accuracy", "Accuracy", false)) return;
+    Accuracy& accuracy = session.accuracy;
+    accuracy.keepOn();
+    const ProbePoint* current = accuracy.current();
+    widgets.figure("accuracy.rmse", "error (RMSE)", current != nullptr ? fmt::format("{:.4g}", current->rmse) : "-");
+    widgets.figure("accuracy.ms", "frame", current != nullptr ? fmt::format("{:.4g} ms", current->milliseconds) : "-");
+    const std::string progress = progressOf(accuracy);
+    const std::string measured = fmt::format("at {} × {}, against {} samples a pixel", accuracy.probe().width(), accuracy.probe().height(), AccuracyProbe::referenceSamples);
+    widgets.paragraph(progress.empty() ? measured : progress, accuracy.state() == Accuracy::State::Failed ? theme::bad : progress.empty() ? theme::quiet : theme::warning);
+    widgets.dump().lastItem("accuracy.progress", progress);
+    drawChartOf(session, widgets);
+    drawButtons(session, widgets, drawOther(session, widgets));
+    if (!accuracy.said().empty()) widgets.paragraph(accuracy.said(), theme::text);
+    widgets.dump().state("accuracy", {{"state", states[static_cast<int>(accuracy.state())]}, {"points", accuracy.trail().size()}, {"said", accuracy.said()}});
+}
+
+} // namespace timeshade

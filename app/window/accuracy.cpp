@@ -1,0 +1,171 @@
+#include "window/accuracy.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "frame_setup.h"
+#include "techniques/registry.h"
+#include "window/session.h"
+
+namespace timeshade {
+
+namespace {
+
+std::vector<double> valuesOf(Technique& technique) {
+    std::vector<double> values;
+    for (const Setting& setting : settingsOf(technique)) values.push_back(setting.get());
+    return values;
+}
+
+/// Where brute force has its number of renders among its settings; nothing for techniques that draw a frame once.
+/// It is known by its settings: with one render it says that it draws once, as all others do.
+std::optional<std::size_t> rendersPlace(const std::string& technique) {
+    gl::ProgramCache none;  // settings are declared without OpenGL
+    const std::unique_ptr<Technique> example = makeTechnique(technique, none);
+    const std::vector<Setting> settings = settingsOf(*example);
+    const auto found = std::find_if(settings.begin(), settings.end(), [](const Setting& setting) { return setting.key == "renders"; });
+    if (found == settings.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - settings.begin());
+}
+
+/// What the session would set another technique to if it were chosen.
+ProbeSubject otherSubject(Session& session, const std::string& technique) {
+    const auto kept = session.keptSettings.find(technique);
+    if (kept != session.keptSettings.end()) return {technique, kept->second, session.request.samplesPerPixel, session.request.mapSize};
+    Options chosen = session.options;
+    chosen.technique = technique;
+    return {technique, valuesOf(*techniqueFor(chosen, session.renderer.programs())), session.request.samplesPerPixel, session.request.mapSize};
+}
+
+std::vector<int> effortsFor(const std::string& technique) {
+    std::vector<int> efforts;
+    if (rendersPlace(technique))
+        for (int renders = 1; renders <= 4096; renders *= 2) efforts.push_back(renders);
+    else
+        for (int samples = 1; samples <= maximumSamplesPerPixel; ++samples) efforts.push_back(samples);
+    return efforts;
+}
+
+void setEffort(ProbeSubject& subject, int effort) {
+    if (const auto place = rendersPlace(subject.technique))
+        subject.settings[*place] = effort;
+    else
+        subject.samplesPerPixel = effort;
+}
+
+std::string amount(Accuracy::Level level, double value) {
+    return level == Accuracy::Level::Time ? fmt::format("takes {:.3g} ms", value) : fmt::format("errs by {:.3g}", value);
+}
+
+} // namespace
+
+ProbeSubject subjectOf(const Session& session) {
+    return {session.technique->description().name, valuesOf(*session.technique), session.request.samplesPerPixel, session.request.mapSize};
+}
+
+std::string effortInWords(const ProbeSubject& subject) {
+    if (const auto place = rendersPlace(subject.technique)) return fmt::format("{} at {:g} renders", subject.technique, subject.settings[*place]);
+    return fmt::format("{} at {} spp", subject.technique, subject.samplesPerPixel);
+}
+
+std::string effortLabel(const ProbeSubject& subject) {
+    if (const auto place = rendersPlace(subject.technique)) return fmt::format("{:g}x", subject.settings[*place]);
+    return std::to_string(subject.samplesPerPixel);
+}
+
+const ProbePoint* Accuracy::find(const ProbeSubject& subject) const {
+    const auto found = std::find_if(trail_.begin(), trail_.end(), [&](const ProbePoint& point) { return point.subject == subject; });
+    return found == trail_.end() ? nullptr : &*found;
+}
+
+const ProbePoint* Accuracy::current() const { return find(now_); }
+
+void Accuracy::clear() {
+    trail_.clear();
+    said_.clear();
+    match_.reset();
+    ++revision_;
+}
+
+void Accuracy::match(Session& session, const std::string& technique, Level level) {
+    const ProbePoint* of = current();
+    if (of == nullptr) return;
+    const bool time = level == Level::Time;
+    said_.clear();
+    match_ = Match{*of, otherSubject(session, technique), level,
+                   EffortSearch(effortsFor(technique), time ? of->milliseconds : of->rmse, time ? EffortSearch::Value::Rises : EffortSearch::Value::Falls)};
+}
+
+std::string Accuracy::trying() const { return match_ ? effortInWords(match_->other) : ""; }
+
+std::optional<ProbeSubject> Accuracy::advanceMatch(Session& session) {
+    while (const std::optional<int> effort = match_->search.next()) {
+        setEffort(match_->other, *effort);
+        const ProbePoint* known = find(match_->other);
+        if (known == nullptr) return match_->other;
+        match_->search.answer(match_->level == Level::Time ? known->milliseconds : known->rmse);
+    }
+    finishMatch(session);
+    return std::nullopt;
+}
+
+void Accuracy::finishMatch(Session& session) {
+    Match match = *std::exchange(match_, std::nullopt);
+    const EffortSearch& search = match.search;
+    const bool time = match.level == Level::Time;
+    setEffort(match.other, search.effort());
+    const std::string other = fmt::format("{} {}", effortInWords(match.other), amount(match.level, search.value()));
+    const std::string current = fmt::format("{} {}", effortInWords(match.of.subject), amount(match.level, time ? match.of.milliseconds : match.of.rmse));
+    if (search.outcome() == EffortSearch::Outcome::Found) {
+        said_ = fmt::format("{}, as {}.", other, current);
+        session.keptSettings[match.other.technique] = match.other.settings;
+        session.request.samplesPerPixel = match.other.samplesPerPixel;
+        session.wishedTechnique = match.other.technique;
+        session.accuracyOther = match.of.subject.technique;  // so that the buttons lead back
+        session.notify(said_);
+        return;
+    }
+    said_ = fmt::format("Out of range: even {}, but {}.", other, current);
+    session.notify(said_, true);
+}
+
+bool Accuracy::update(Session& session) {
+    const State before = state_;
+    const int revisionBefore = revision_;
+    const bool settled = session.driver.settled() && session.driver.hasPlan() && !session.driver.preview() && !session.driver.measuring();
+    if (!std::exchange(wanted_, false) || session.playback.playing() || !settled) {
+        state_ = State::Waiting;
+        return before != State::Waiting;
+    }
+    if (probe_.aim(*session.planner, session.sceneNumber, session.request)) clear();
+    ProbeSubject now = subjectOf(session);
+    if (now != now_) {
+        now_ = std::move(now);
+        match_.reset();  // it was looking for another point's equal
+        ++revision_;
+    }
+    std::optional<ProbeSubject> next = match_ ? advanceMatch(session) : std::nullopt;
+    if (!next && find(now_) == nullptr) next = now_;
+    state_ = State::Idle;
+    if (next) {
+        probe_.measure(*next);
+        const bool reference = probe_.reference() == nullptr || !probe_.reference()->complete();
+        const std::optional<ProbePoint> point = probe_.step();
+        state_ = reference ? State::Reference : State::Measuring;
+        if (point) {
+            trail_.push_back(*point);
+            ++revision_;
+        }
+        if (!probe_.failure().empty()) {
+            failure_ = probe_.failure();
+            state_ = State::Failed;
+            if (match_) session.notify(failure_, true);
+            match_.reset();
+        }
+    }
+    return working() || state_ != before || revision_ != revisionBefore;
+}
+
+} // namespace timeshade

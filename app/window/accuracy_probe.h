@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/frame_renderer.h"
+#include "measure/reference.h"
+
+namespace timeshade {
+
+/// A technique as it is set, and what it is given to work with.
+struct ProbeSubject {
+    std::string technique;
+    std::vector<double> settings;  ///< in the order of settingsOf
+    int samplesPerPixel = 8;
+    int mapSize = 1024;
+    bool operator==(const ProbeSubject&) const = default;
+};
+
+/// What one subject costs and how far it is from the reference, both at the probe's size.
+struct ProbePoint {
+    ProbeSubject subject;
+    double milliseconds = 0.0;  ///< median of the draws that count
+    double rmse = 0.0;
+};
+
+/// The subject's technique, set as it says.
+std::unique_ptr<Technique> techniqueOf(const ProbeSubject& subject, gl::ProgramCache& programs);
+/// The same frame with sides of at most so many pixels, of the same shape.
+FrameRequest smallCopyOf(const FrameRequest& request, int longestSide);
+/// All that a small copy depends on but the subject.
+std::vector<double> smallCopyKey(const FrameRequest& small, int scene);
+
+/// Measures techniques on a small copy of the window's frame, with a renderer of its own so that the picture stays as
+/// it is. Works a step at a time: a batch of the reference or a draw of the technique.
+class AccuracyProbe {
+  public:
+    static constexpr int longestSide = 240;
+    static constexpr int referenceSamples = 64;
+
+    /// Says which frame is meant. True if it is another than before, or of another shape: the reference is then made
+    /// anew and earlier points do not compare. The planner is that of the scene with this number.
+    bool aim(FramePlanner& planner, int scene, const FrameRequest& request);
+    /// Says what is to be measured; starts over if that is another subject than before.
+    void measure(const ProbeSubject& subject);
+    /// Does the next step. The point, when this step has completed it.
+    std::optional<ProbePoint> step();
+    /// Why the subject can't be measured; empty if it can.
+    const std::string& failure() const { return failure_; }
+
+    int width() const { return request_.width; }
+    int height() const { return request_.height; }
+    /// Null until there is a reference at work.
+    const ReferenceBuilder* reference() const { return reference_.get(); }
+
+  private:
+    std::optional<ProbePoint> draw();
+    void beginSubject();
+    FramePlan planFor(int samplesPerPixel, int mapSize);
+
+    std::optional<FrameRenderer> renderer_;  ///< made when first needed
+    ReferenceCache cache_;
+    FramePlanner* planner_ = nullptr;
+    FrameRequest request_;
+    std::vector<double> key_;  ///< of the frame
+    std::unique_ptr<ReferenceBuilder> reference_;
+
+    std::optional<ProbeSubject> subject_;
+    std::unique_ptr<Technique> technique_;
+    std::optional<FramePlan> plan_;
+    bool drawing_ = false;
+    int draws_ = 0;             ///< completed
+    double milliseconds_ = 0.0; ///< of the draw at work
+    std::vector<double> times_;
+    std::string failure_;
+};
+
+} // namespace timeshade

@@ -1,0 +1,69 @@
+#include "window/trail_chart.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "measure/chart_layout.h"
+#include "window/accuracy.h"
+#include "window/display_texture.h"
+
+namespace timeshade {
+
+namespace {
+
+/// Points of one curve differ in nothing but their effort.
+bool onOneCurve(const ProbeSubject& a, const ProbeSubject& b) {
+    return a.technique == b.technique && a.mapSize == b.mapSize && (a.settings == b.settings || effortLabel(a).back() == 'x');
+}
+
+std::string nameOf(const std::vector<std::vector<const ProbePoint*>>& curves, const ProbeSubject& subject) {
+    int alike = 0;
+    for (const auto& curve : curves) alike += curve.front()->subject.technique == subject.technique ? 1 : 0;
+    return alike == 0 ? subject.technique : fmt::format("{} ({})", subject.technique, alike + 1);
+}
+
+} // namespace
+
+Chart trailChart(const std::vector<ProbePoint>& trail, bool softwareRenderer) {
+    Chart chart;
+    chart.xLabel = softwareRenderer ? "ms (software renderer)" : "ms";
+    chart.yLabel = "RMSE";
+    std::vector<std::vector<const ProbePoint*>> curves;
+    for (const ProbePoint& point : trail) {
+        const auto fits = [&](const auto& curve) { return onOneCurve(curve.front()->subject, point.subject); };
+        const auto found = std::find_if(curves.begin(), curves.end(), fits);
+        if (found != curves.end()) {
+            found->push_back(&point);
+            continue;
+        }
+        chart.series.push_back({nameOf(curves, point.subject), {}});
+        curves.push_back({&point});
+    }
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        // More effort is more time, but for noise; the labels' numbers are the order that was meant.
+        std::sort(curves[i].begin(), curves[i].end(), [](const ProbePoint* a, const ProbePoint* b) {
+            return std::stoi(effortLabel(a->subject)) < std::stoi(effortLabel(b->subject));
+        });
+        for (const ProbePoint* point : curves[i]) chart.series[i].points.push_back({point->milliseconds, point->rmse, effortLabel(point->subject)});
+    }
+    return chart;
+}
+
+void TrailChart::update(const std::vector<ProbePoint>& trail, const ProbePoint* current, int revision, int width, int height, double scale,
+                        bool softwareRenderer) {
+    const bool fits = texture_ && texture_->width() == width && texture_->height() == height && scale == scale_;
+    if (fits && revision == revision_) return;
+    const Chart chart = trailChart(trail, softwareRenderer);
+    const DisplayImage image = drawChart(chart, width, height, scale);
+    current_.reset();
+    if (current != nullptr) {
+        const ChartPoint point{current->milliseconds, current->rmse, ""};
+        if (isDrawable(point)) current_ = layoutChart(chart, ChartFonts(), width, height, scale).pixelOf(point);
+    }
+    upload(texture_, image);
+    revision_ = revision;
+    scale_ = scale;
+}
+
+} // namespace timeshade
