@@ -76,7 +76,7 @@ struct EmbreePeer::Implementation {
     /// Calls work(x, y, stratum) for every packet, on all threads; a thread takes some rows at a time.
     template <typename Work>
     void forEachPacket(const Work& work) {
-        constexpr int rowsPerTask = 8;
+        constexpr int rowsPerTask = 2;
         std::atomic<int> nextRow{0};
         const auto run = [&] {
             for (int row = nextRow.fetch_add(rowsPerTask); row < plan.request.height; row = nextRow.fetch_add(rowsPerTask))

@@ -68,7 +68,7 @@ std::string floorLine(const std::vector<SweepRow>& rows, const std::string& scen
     }
     if (!last || efforts.size() < 2) return "";
     const std::optional<double> slope = logLogSlope(efforts, errors);
-    return fmt::format("- `{}`: noise falls with slope {} in samples; at the last point bias {:.5f}, noise {:.5f}: {}.\n", technique,
+    return fmt::format("- `{}`: noise falls with slope {} in samples (samples stratified in time and spread over the pixel: -2/3; time alone: -1; neither: -1/2); at the last point bias {:.5f}, noise {:.5f}: {}.\n", technique,
                        slope ? fmt::format("{:.2f}", *slope) : "n/a", last->biasAndNoise.bias, last->biasAndNoise.noise,
                        last->biasAndNoise.bias > last->biasAndNoise.noise ? "more samples no longer help, this is its floor" : "more samples still help");
 }
