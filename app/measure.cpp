@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <sstream>
 #include <timeshade/commit.h>  // generated
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 #include "gl_checks.h"
 #include "make_context.h"
 #include "measure/sweep_report.h"
+#include "report.h"
 #include "scene/error.h"
 #include "scene_catalogue.h"
 #include "techniques/registry.h"
@@ -53,6 +55,16 @@ std::vector<std::string> settingLines(const std::vector<std::string>& techniques
         for (const Setting& setting : settingsOf(*technique))
             if (setting.key != "renders") lines.push_back(fmt::format("{}.{} = {:g}", name, setting.key, setting.get()));
     }
+    return lines;
+}
+
+/// What moves in a scene's shutter and which passes follow, for the first technique measured.
+std::vector<std::string> planLines(const SweepScene& scene, const std::string& technique, const gl::DeviceInfo& device, gl::ProgramCache& programs) {
+    FramePlanner planner(*scene.scene);
+    const std::string name = technique == "embree" ? techniqueDescriptions().front().name : technique;
+    std::istringstream text(explain(planner.plan(scene.request), *makeTechnique(name, programs), device));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
     return lines;
 }
 
@@ -104,6 +116,8 @@ int runMeasure(const Options& options) {
     manifest.backEnd = context->backEnd();
     manifest.device = renderer.device();
     manifest.settings = settingLines(sweep.techniques, options);
+    for (const SweepScene& scene : sweep.scenes)
+        manifest.plans[scene.name] = planLines(scene, sweep.techniques.front(), renderer.device(), renderer.programs());
     writeSweepReport(folder, manifest, rows);
     fmt::print("{}\n", std::filesystem::absolute(folder / "report.md").lexically_normal().string());
     return 0;

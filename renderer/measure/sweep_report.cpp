@@ -52,7 +52,8 @@ nlohmann::ordered_json asJson(const SweepManifest& m) {
             {"processor", m.processor},
             {"gl", {{"back_end", m.backEnd}, {"vendor", m.device.vendor}, {"renderer", m.device.renderer}, {"version", m.device.version}, {"software", m.device.software}}},
             {"clock", m.device.software ? "wall time around glFinish (software renderer: says nothing about a GPU)" : "GL_TIMESTAMP on the device"},
-            {"settings", m.settings}};
+            {"settings", m.settings},
+            {"plans", m.plans}};
 }
 
 /// Where the error of a technique stops falling: the bias at its greatest effort, and whether it is above the noise.

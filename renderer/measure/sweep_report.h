@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SweepManifest {
     std::string backEnd;
     gl::DeviceInfo device;
     std::vector<std::string> settings;  ///< "tsm.bias = 0.5", every setting of every technique measured
+    std::map<std::string, std::vector<std::string>> plans;  ///< scene to its plan in words, a line each
 };
 
 /// Writes accuracy.csv, accuracy.json, manifest.json, report.md and one pair of pictures per scene (SCENE-error.png,

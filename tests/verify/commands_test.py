@@ -67,7 +67,9 @@ class Measure(unittest.TestCase):
                 self.assertGreater(float(row["rmse"]), 0)
             self.assertEqual([float(r["disagree"]) for r in rows if r["technique"] == "embree"], [0, 0])
             with open(os.path.join(out, "accuracy.json"), encoding="utf-8") as stream:
-                self.assertIn("renderer", json.load(stream)["manifest"]["gl"])
+                manifest = json.load(stream)["manifest"]
+            self.assertIn("renderer", manifest["gl"])
+            self.assertIn("triangles move", " ".join(manifest["plans"]["chess"]))
             # Interrupted after the first row: the row is kept to the last digit, the others are measured anew, and errors
             # and counts come out the same.
             journal = os.path.join(out, "rows.jsonl")
