@@ -52,12 +52,8 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
                   {"renderer", renderer.device().renderer},
                   {"version", renderer.device().version},
                   {"software", renderer.device().software}};
-    double total = 0.0;
-    for (const auto& reading : times) {
-        json["milliseconds"][reading.name] = reading.milliseconds;
-        total += reading.milliseconds;
-    }
-    json["milliseconds"]["total"] = total;
+    for (const auto& reading : times) json["milliseconds"][reading.name] = reading.milliseconds;
+    json["milliseconds"]["total"] = gl::totalOf(times);
     const GpuMemory memory = renderer.memory();
     json["bytes"] = {{"mesh", memory.mesh},           {"samples", memory.samples}, {"visibility", memory.visibility},
                      {"technique", memory.technique}, {"picture", memory.picture}, {"total", memory.total()}};

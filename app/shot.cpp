@@ -37,12 +37,6 @@ void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& techni
     while (!renderer.step()) progress.update(renderer.rendersDone());
 }
 
-double total(const std::vector<gl::PassTimer::Reading>& times) {
-    double sum = 0.0;
-    for (const auto& reading : times) sum += reading.milliseconds;
-    return sum;
-}
-
 } // namespace
 
 int runShot(const Options& options) {
@@ -73,7 +67,7 @@ int runShot(const Options& options) {
             writePng(path, *diagnostic);
         else
             write(renderer, path);
-        fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), total(times),
+        fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), gl::totalOf(times),
                    deviceLine(renderer.device()));
         if (!options.json.empty() && i + 1 == options.frames) {
             const std::string text = manifest(renderer, *technique, options.scene, context->backEnd(), times);
@@ -107,8 +101,9 @@ int runPictures(const Options& options) {
         const auto times = renderer.timer().finishFrame();
         writePng(path, renderer.readPicture());
         fmt::print("{:<9}", builtIn.name);
-        for (const auto& reading : times) fmt::print(" {:>9.1f}", reading.milliseconds);
-        fmt::print(" {:>9.1f}  {}\n", total(times), std::filesystem::absolute(path).lexically_normal().string());
+        for (const auto& reading : times)
+            if (!reading.isPart()) fmt::print(" {:>9.1f}", reading.milliseconds);
+        fmt::print(" {:>9.1f}  {}\n", gl::totalOf(times), std::filesystem::absolute(path).lexically_normal().string());
     }
     return 0;
 }

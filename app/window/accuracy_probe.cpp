@@ -109,7 +109,7 @@ std::optional<ProbePoint> AccuracyProbe::draw() {
     const auto begin = Clock::now();
     while (!renderer_->complete() && millisecondsSince(begin) < budgetMilliseconds) {
         renderer_->step();
-        milliseconds_ += totalOf(renderer_->timer().finishFrame());
+        milliseconds_ += gl::totalOf(renderer_->timer().finishFrame());
     }
     if (!renderer_->complete()) return std::nullopt;
     drawing_ = false;

@@ -13,12 +13,6 @@ double median(std::vector<double> values) {
 }
 } // namespace
 
-double totalOf(const std::vector<gl::PassTimer::Reading>& readings) {
-    double sum = 0.0;
-    for (const auto& reading : readings) sum += reading.milliseconds;
-    return sum;
-}
-
 void FrameTimes::add(const std::vector<gl::PassTimer::Reading>& readings) {
     if (readings.empty()) return;
     frames_.push_back(readings);
@@ -40,7 +34,7 @@ std::vector<gl::PassTimer::Reading> FrameTimes::medians() const {
 
 double FrameTimes::medianTotal() const {
     std::vector<double> totals;
-    for (const auto& frame : frames_) totals.push_back(totalOf(frame));
+    for (const auto& frame : frames_) totals.push_back(gl::totalOf(frame));
     return median(totals);
 }
 

@@ -26,6 +26,4 @@ class FrameTimes {
     std::deque<std::vector<gl::PassTimer::Reading>> frames_;
 };
 
-double totalOf(const std::vector<gl::PassTimer::Reading>& readings);
-
 } // namespace timeshade

@@ -78,7 +78,7 @@ bool FrameRenderer::step() {
     const FramePlan render = renders_ > 1 ? planAtInstant(*plan_, done_, renders_) : *plan_;
     uniforms_.set(render);
     mesh_.bind();
-    const TechniqueFrame frame{render, mesh_, *samples_, *visibility_, fullscreen_};
+    const TechniqueFrame frame{render, mesh_, *samples_, *visibility_, fullscreen_, timer_};
     {
         const auto timed = timer_.scope("sample");
         samplePass_.draw(render, mesh_, *samples_);

@@ -12,7 +12,7 @@ PassTimer::~PassTimer() {
     if (!freeQueries_.empty()) glDeleteQueries(static_cast<GLsizei>(freeQueries_.size()), freeQueries_.data());
 }
 
-PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer) {
+PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), step_(timer.current_.size()) {
     Step step;
     step.name = std::move(name);
     if (timer.clock_ == Clock::Finish) {
@@ -25,7 +25,7 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer) {
 }
 
 PassTimer::Scope::~Scope() {
-    Step& step = timer_.current_.back();
+    Step& step = timer_.current_[step_];
     if (timer_.clock_ == Clock::Finish) {
         glFinish();
         step.end = std::chrono::steady_clock::now();
@@ -98,6 +98,13 @@ std::vector<PassTimer::Reading> PassTimer::finishFrame() {
     for (const Frame& frame : pending_) recycle(frame);
     pending_.clear();
     return readings;
+}
+
+double totalOf(const std::vector<PassTimer::Reading>& readings) {
+    double sum = 0.0;
+    for (const PassTimer::Reading& reading : readings)
+        if (!reading.isPart()) sum += reading.milliseconds;
+    return sum;
 }
 
 } // namespace timeshade::gl

@@ -12,7 +12,8 @@ namespace timeshade::gl {
 
 /// How long each named step of a frame took on the device. On hardware: 64-bit GL_TIMESTAMP pairs, read when they are
 /// there. On a software renderer: the wall clock around glFinish, since a timestamp there says when a command was
-/// rasterised and leaves out the vertex work. Steps of one name within a frame add up.
+/// rasterised and leaves out the vertex work. Steps of one name within a frame add up. A step inside another is named
+/// "build/collect" and is part of that one's time: who adds up a frame leaves names with a slash out.
 class PassTimer {
   public:
     enum class Clock { Timestamps, Finish };
@@ -30,12 +31,14 @@ class PassTimer {
 
       private:
         PassTimer& timer_;
+        std::size_t step_;
     };
     [[nodiscard]] Scope scope(std::string name) { return {*this, std::move(name)}; }
 
     struct Reading {
         std::string name;
         double milliseconds = 0.0;
+        bool isPart() const { return name.find('/') != std::string::npos; }  ///< of another reading
     };
     /// Closes the frame and starts a new one. Returns the readings of the newest frame whose figures have arrived
     /// (in order of first use), or nothing.
@@ -59,5 +62,8 @@ class PassTimer {
     std::vector<Frame> pending_;
     std::vector<GLuint> freeQueries_;
 };
+
+/// Time of all steps that are not part of another, in milliseconds.
+double totalOf(const std::vector<PassTimer::Reading>& readings);
 
 } // namespace timeshade::gl

@@ -52,8 +52,10 @@ GLuint link(const ProgramDescription& description) {
             glAttachShader(program, shader);
             glDeleteShader(shader);  // freed with the program
         };
-        stage(GL_VERTEX_SHADER, description.vertex);
+        if (!description.vertex.empty()) stage(GL_VERTEX_SHADER, description.vertex);
+        if (!description.geometry.empty()) stage(GL_GEOMETRY_SHADER, description.geometry);
         if (!description.fragment.empty()) stage(GL_FRAGMENT_SHADER, description.fragment);
+        if (!description.compute.empty()) stage(GL_COMPUTE_SHADER, description.compute);
     } catch (...) {
         glDeleteProgram(program);
         throw;
@@ -67,10 +69,17 @@ GLuint link(const ProgramDescription& description) {
     glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
     glDeleteProgram(program);
-    throw Error(fmt::format("shaders/{}: does not link: {}", description.vertex, firstLine(log)));
+    throw Error(fmt::format("shaders/{}: does not link: {}", description.stages().front(), firstLine(log)));
 }
 
 } // namespace
+
+std::vector<std::string> ProgramDescription::stages() const {
+    std::vector<std::string> all;
+    for (const std::string* path : {&vertex, &geometry, &fragment, &compute})
+        if (!path->empty()) all.push_back(*path);
+    return all;
+}
 
 Program::Program(const ProgramDescription& description) : Object(link(description)) {
     label(GL_PROGRAM, name(), description.label);

@@ -12,12 +12,17 @@ struct DeleteProgram {
     void operator()(GLuint name) const { glDeleteProgram(name); }
 };
 
-/// Which files make a program, and with which defines.
+/// Which files make a program, and with which defines. Paths are under shaders/; a stage that is not there is empty.
 struct ProgramDescription {
     std::string label;
-    std::string vertex;    ///< path under shaders/
-    std::string fragment;  ///< may be empty: depth only
+    std::string vertex;
+    std::string fragment;
     ShaderDefines defines;
+    std::string geometry = {};
+    std::string compute = {};  ///< alone: a program either draws or computes
+
+    /// The stages that are there, first to last.
+    std::vector<std::string> stages() const;
 };
 
 /// A linked program. Construction throws Error with the driver's first message, the file and the line.

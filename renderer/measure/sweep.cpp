@@ -102,7 +102,8 @@ class SceneSweep {
         for (const auto& reading : renderer_.timer().finishFrame()) times[reading.name] = reading.milliseconds;
         if (subject.point.technique == "embree") timeEmbree(plan, times);
         double total = 0.0;
-        for (const auto& [name, milliseconds] : times) total += milliseconds;
+        for (const auto& [name, milliseconds] : times)
+            if (name.find('/') == std::string::npos) total += milliseconds;  // a part is in its whole
         times["total"] = total;
         for (const auto& [name, milliseconds] : times) subject.times[name].push_back(milliseconds);
         subject.images.push_back(renderer_.readRadiance());

@@ -1,5 +1,9 @@
 #include "techniques/technique.h"
 
+#include <fmt/format.h>
+
+#include "scene/error.h"
+
 namespace timeshade {
 
 void LookupPass::draw(const TechniqueFrame& frame, const gl::Program& program) const {
@@ -13,6 +17,10 @@ void LookupPass::draw(const TechniqueFrame& frame, const gl::Program& program) c
         glUniform1ui(0, stratum);
         frame.fullscreen.draw(program);
     }
+}
+
+void Technique::drawView(const TechniqueFrame&, const std::string& name, const gl::Texture&) {
+    throw Error(fmt::format("technique {} has no view '{}'", description().name, name));
 }
 
 gl::ShaderDefines viewDefines(const FramePlan& plan) {

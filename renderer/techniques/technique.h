@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/pass_timer.h"
 #include "gl/program_cache.h"
 #include "passes/fullscreen.h"
 #include "passes/gpu_mesh.h"
@@ -28,6 +29,24 @@ struct TechniqueFrame {
     const SampleBuffer& samples;
     const VisibilityBuffer& visibility;
     const Fullscreen& fullscreen;
+    gl::PassTimer& timer;  ///< for steps inside build and lookup, named "build/..." and "lookup/..."
+};
+
+/// A picture of what a technique works with, instead of the scene: one value a pixel, coloured by a scale.
+struct TechniqueView {
+    std::string name;   ///< as after --view: lower case, dashes between words
+    std::string title;  ///< for people
+    std::string unit;   ///< of the values: "ranges", "u"; may be empty
+    double low = 0.0, high = 1.0;  ///< the scale's ends; values beyond take the ends' colours
+    bool logarithmic = false;
+};
+
+/// Something that a technique counted while it drew, for the panel, --explain and reports.
+struct TechniqueFigure {
+    std::string name;      ///< "moving triangles", "entries", "odd lists"
+    double value = 0.0;
+    std::string unit;      ///< may be empty
+    std::string warning;   ///< what it means for the picture, where that is not right; else empty
 };
 
 /// The thing under study: computes `lit` for every camera sample. It reads the plan, the mesh and the samples and
@@ -50,10 +69,22 @@ class Technique {
     /// once, with the samples spread over the shutter.
     virtual int renders() const { return 1; }
 
+    /// How many frames before the first must be drawn, in order, for that one to be what it would be in a sequence.
+    virtual int warmUpFrames() const { return 0; }
+    /// Forgets what earlier frames left behind: the next frame has no past.
+    virtual void forget() {}
+
     /// Draws whatever the lookup needs. Timed as "build".
     virtual void build(const TechniqueFrame& frame) = 0;
     /// Writes lit for every camera sample. Timed as "lookup".
     virtual void lookup(const TechniqueFrame& frame) = 0;
+    /// Views of this technique's own, with its settings as they are.
+    virtual std::vector<TechniqueView> views() const { return {}; }
+    /// Draws the view of that name after the lookup: one value a pixel into `values` (R32F, the picture's size), negative where
+    /// there is nothing to show.
+    virtual void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values);
+    /// What was counted in the frame drawn last. May wait for the device.
+    virtual std::vector<TechniqueFigure> figures() const { return {}; }
     /// The textures that build has drawn, for checks: none may hold a NaN or an infinity.
     virtual std::vector<const gl::Texture*> textures() const = 0;
     /// GPU memory held, in bytes.

@@ -106,7 +106,8 @@ class Workplace {
 };
 
 std::string nameOf(const gl::ProgramDescription& program) {
-    std::string name = program.vertex + " + " + program.fragment;
+    std::string name;
+    for (const std::string& stage : program.stages()) name += (name.empty() ? "" : " + ") + stage;
     for (const auto& [define, value] : program.defines) name += " " + define + "=" + value;
     return name;
 }
@@ -120,8 +121,7 @@ std::map<std::string, std::set<std::string>> variantsByFile() {
         std::sort(defines.begin(), defines.end());
         std::string all;
         for (const std::string& define : defines) all += (all.empty() ? "" : " ") + define;
-        variants[program.fragment].insert(all);
-        variants[program.vertex].insert(all);
+        for (const std::string& stage : program.stages()) variants[stage].insert(all);
     }
     return variants;
 }
@@ -147,8 +147,8 @@ TEST(ShaderVariants, EveryProgramOfEveryFrameIsValid) {
     for (const gl::ProgramDescription& program : gl::programsBuilt()) {
         if (!checked.insert(nameOf(program)).second) continue;
         std::vector<std::pair<std::string, std::string>> stages;
-        for (const std::string& path : {program.vertex, program.fragment})
-            if (!path.empty()) stages.emplace_back(fs::path(path).extension().string().substr(1), gl::readShader(path, program.defines).text);
+        for (const std::string& path : program.stages())
+            stages.emplace_back(fs::path(path).extension().string().substr(1), gl::readShader(path, program.defines).text);
         const Verdict verdict = workplace.validate(stages);
         EXPECT_TRUE(verdict.good) << nameOf(program) << "\n" << verdict.words;
     }
@@ -192,9 +192,8 @@ TEST(ShaderVariants, NoShaderFileIsLeftOut) {
     drawEverything();
     std::set<std::string> used;
     for (const gl::ProgramDescription& program : gl::programsBuilt())
-        for (const std::string& path : {program.vertex, program.fragment})
-            if (!path.empty())
-                for (const std::string& file : gl::readShader(path, program.defines).files) used.insert(file);
+        for (const std::string& path : program.stages())
+            for (const std::string& file : gl::readShader(path, program.defines).files) used.insert(file);
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(gl::shaderDirectory())) {
         if (!entry.is_regular_file()) continue;
         const std::string path = fs::relative(entry.path(), gl::shaderDirectory()).string();
