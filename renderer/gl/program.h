@@ -15,9 +15,9 @@ struct DeleteProgram {
 /// Which files make a program, and with which defines. Paths are under shaders/; a stage that is not there is empty.
 struct ProgramDescription {
     std::string label;
-    std::string vertex;
-    std::string fragment;
-    ShaderDefines defines;
+    std::string vertex = {};
+    std::string fragment = {};
+    ShaderDefines defines = {};
     std::string geometry = {};
     std::string compute = {};  ///< alone: a program either draws or computes
 

@@ -85,7 +85,9 @@ std::size_t bytesPerTexel(GLenum internalFormat) {
     case GL_RGBA8:
     case GL_SRGB8_ALPHA8:
     case GL_DEPTH_COMPONENT32F: return 4;
+    case GL_RG32UI:
     case GL_RG32F: return 8;
+    case GL_RGBA32UI:
     case GL_RGBA32F: return 16;
     default: assert(false && "unknown format: add its size"); return 0;
     }

@@ -9,6 +9,14 @@
 #define LIGHT_VIEW_BINDING 2
 #define TECHNIQUE_BLOCK_BINDING 3
 
+// Storage block bindings. A technique's own follow.
+#define LIST_CURSORS_BINDING 0
+#define LIST_OFFSETS_BINDING 1
+#define LIST_BLOCKS_BINDING 2
+#define TECHNIQUE_STORAGE_BINDING 3
+
+#define LIST_SCAN_BLOCK 1024  // cells that one work group of the scan sees
+
 // Texture units.
 #define TRIANGLE_POSITIONS_UNIT 0   // buffer texture, TRIANGLE_POSITION_TEXELS RGBA32F a triangle
 #define TRIANGLE_SHADING_UNIT 1     // buffer texture, TRIANGLE_SHADING_TEXELS RGBA32F a triangle

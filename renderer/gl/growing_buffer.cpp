@@ -1,0 +1,46 @@
+#include "gl/growing_buffer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "scene/error.h"
+
+namespace timeshade::gl {
+
+namespace {
+
+double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
+
+std::size_t limitOf(GLenum name) {
+    GLint64 value = 0;
+    glGetInteger64v(name, &value);
+    return static_cast<std::size_t>(std::max<GLint64>(value, 0));
+}
+
+} // namespace
+
+GrowingBuffer::GrowingBuffer(std::string labelText, GLenum texelFormat) : label_(std::move(labelText)), format_(texelFormat) {}
+
+void GrowingBuffer::reserve(std::size_t elements, const std::string& advice) {
+    const std::size_t each = bytesPerTexel(format_);
+    if (buffer_ && buffer_->bytes() >= elements * each) return;
+    const std::size_t largestBlock = limitOf(GL_MAX_SHADER_STORAGE_BLOCK_SIZE), mostTexels = limitOf(GL_MAX_TEXTURE_BUFFER_SIZE);
+    if (elements * each > largestBlock)
+        throw Error(fmt::format("'{}' needs {:.0f} MiB for {} entries; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {:.0f} MiB: {}", label_,
+                                mebibytes(elements * each), elements, mebibytes(largestBlock), advice));
+    if (elements > mostTexels)
+        throw Error(fmt::format("'{}' needs {} entries; this device's GL_MAX_TEXTURE_BUFFER_SIZE is {}: {}", label_, elements, mostTexels, advice));
+    const std::size_t room = std::min({elements + elements / 8, largestBlock / each, mostTexels});
+    view_.reset();
+    buffer_.reset();  // first, so that both need not fit at once
+    while (glGetError() != GL_NO_ERROR) {}
+    buffer_.emplace(label_, room * each);
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        buffer_.reset();
+        throw Error(fmt::format("not enough GPU memory for '{}' ({:.0f} MiB): {}", label_, mebibytes(room * each), advice));
+    }
+    view_ = Texture::ofBuffer(label_, format_, *buffer_);
+}
+
+} // namespace timeshade::gl

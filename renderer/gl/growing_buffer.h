@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "gl/buffer.h"
+#include "gl/texture.h"
+
+namespace timeshade::gl {
+
+/// A buffer that shaders write as a storage block and read through a buffer texture, and that grows when more is asked of it. What it
+/// held is lost then.
+class GrowingBuffer {
+  public:
+    /// `texelFormat`: one of the formats of bytesPerTexel; an element is one texel.
+    GrowingBuffer(std::string labelText, GLenum texelFormat);
+
+    /// Room for `elements`, and an eighth more when it has to grow. Throws Error where the device's storage blocks, buffer textures or
+    /// memory do not take so many; the line names what was wanted, the limit, and `advice` ("lower --map").
+    void reserve(std::size_t elements, const std::string& advice);
+
+    void bindForWriting(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_->name()); }
+    void bindForReading(GLuint unit) const { view_->bind(unit); }
+    const Buffer& buffer() const { return *buffer_; }
+    std::size_t bytes() const { return buffer_ ? buffer_->bytes() : 0; }
+
+  private:
+    std::string label_;
+    GLenum format_;
+    std::optional<Buffer> buffer_;
+    std::optional<Texture> view_;
+};
+
+} // namespace timeshade::gl

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "gl/buffer.h"
+#include "gl/program_cache.h"
+#include "gl/texture.h"
+
+namespace timeshade {
+
+/// Lists of exactly the size that is needed, one per cell of a grid and all in one array: count, scan, fill (the S-buffer of
+/// Vasilakis and Fudos 2012). It holds the cells' places only; the arrays of entries are the caller's (gl::GrowingBuffer), as many as an
+/// entry has fields. In this order:
+///   beginCount(cells)   shaders call listSlot(cell) of lib/cell_lists.glsl once per entry; it returns the entry's rank in its list
+///   n = scan()          entries in all: make room for so many
+///   (bindCursors())     the same shaders call listSlot(cell) once per entry again; it returns the entry's place
+/// Cell c then holds the entries offsets[c] .. offsets[c + 1] - 1. Their order within a cell is whatever the device made it:
+/// no result may depend on it.
+class CellLists {
+  public:
+    explicit CellLists(gl::ProgramCache& programs) : programs_(programs) {}
+
+    /// Zeroes the counters of `cells` lists (at least one) and binds them.
+    void beginCount(std::size_t cells);
+    /// Turns counts into places, and returns the number of entries: waits for the device. Throws Error where there are 2^32 - 1
+    /// entries or more. The counters are bound as cursors, ready to fill.
+    std::size_t scan();
+    /// Binds the cursors again, for callers that bound something else in between.
+    void bindCursors() const;
+    /// Makes what was filled visible to texture fetches and buffer reads.
+    static void finishFill();
+
+    /// cells + 1 places as a buffer texture (R32UI), and the buffer itself. Valid after scan().
+    const gl::Texture& offsets() const { return *offsetsView_; }
+    const gl::Buffer& offsetsBuffer() const { return *offsets_; }
+    std::size_t cells() const { return cells_; }
+    /// Memory held: cursors and places, 8 bytes a cell, and the blocks' sums.
+    std::size_t bytes() const;
+
+  private:
+    gl::ProgramCache& programs_;
+    std::size_t cells_ = 0;
+    std::optional<gl::Buffer> cursors_, offsets_, blocks_;
+    std::optional<gl::Texture> offsetsView_;
+};
+
+} // namespace timeshade

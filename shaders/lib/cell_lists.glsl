@@ -1,0 +1,8 @@
+// Entries of lists, one list a cell (renderer/passes/cell_lists.h). The same call in both passes: while counting it says
+// how many entries of this cell came before, while filling where in the arrays of entries this one belongs. Which entry gets
+// which place of its list depends on the order of execution: readers must not.
+#include "shared/frame_blocks.shared.h"
+
+layout(std430, binding = LIST_CURSORS_BINDING) buffer ListCursors { uint listCursors[]; };
+
+uint listSlot(uint cell) { return atomicAdd(listCursors[cell], 1u); }
