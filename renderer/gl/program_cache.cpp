@@ -3,7 +3,8 @@
 namespace timeshade::gl {
 
 const Program& ProgramCache::get(const ProgramDescription& description) {
-    std::string key = description.vertex + "|" + description.fragment;
+    std::string key;
+    for (const std::string& stage : description.stages()) key += stage + "|";
     for (const auto& [name, value] : description.defines) key += "|" + name + "=" + value;
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
