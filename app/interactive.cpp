@@ -16,6 +16,7 @@
 #include "frame_setup.h"
 #include "gl/debug_log.h"
 #include "image/image_file.h"
+#include "measure/view_scale.h"
 #include "panels/panels.h"
 #include "report.h"
 #include "scene/error.h"
@@ -159,7 +160,9 @@ void Interactive::takeScreenshot() {
     const std::filesystem::path path = std::filesystem::absolute(session_.screenshotName()).lexically_normal();
     try {
         const DiagnosticPicture& compared = session_.diagnosticPicture;
-        writePng(path, compared.complete() ? compared.image() : session_.renderer.readPicture());
+        DisplayImage picture = compared.complete() ? compared.image() : session_.renderer.readPicture();
+        if (!compared.complete() && session_.renderer.techniqueView()) picture = withScale(picture, *session_.renderer.techniqueView());
+        writePng(path, picture);
         session_.lastScreenshot = path.string();
         session_.notify("Saved " + path.string());
     } catch (const std::exception& error) {
@@ -193,6 +196,7 @@ void Interactive::reportState(int width, int height) {
     }
     if (driver.state() == FrameDriver::State::Failed) dump_.state("failure", driver.failure());
     static constexpr const char* diagnostics[] = {"none", "error", "disagreement"};
+    dump_.state("view", session_.viewName());
     dump_.state("diagnostic", {diagnostics[static_cast<int>(session_.diagnostic)], driver.settled() && session_.diagnosticPicture.complete()});
     dump_.state("screenshot", session_.lastScreenshot);
     dump_.state("panels", session_.panelsVisible);
@@ -201,7 +205,7 @@ void Interactive::reportState(int width, int height) {
 
 void writeReport(const Options& options, Session& session) {
     if (options.json.empty() || !session.driver.hasPlan()) return;
-    const std::string text = manifest(session.renderer, *session.technique, session.sceneName, session.backEnd, session.driver.times().medians());
+    const std::string text = manifest(session.renderer, *session.technique, session.sceneName, *session.scene, session.backEnd, session.driver.times().medians());
     writeFileAtomically(options.json, text);
 }
 
@@ -211,7 +215,7 @@ int runInteractive(const Options& options) {
     if (options.context.kind == ContextKind::Egl || options.context.kind == ContextKind::OsMesa)
         throw UsageError("--context: the window makes its own context; expected auto or window (egl and osmesa are for headless commands)");
     if (!options.json.empty()) requireWritable(options.json);
-    std::unique_ptr<Scene> scene = openScene(options.scene, options.clip);
+    std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     const FrameRequest request = requestFor(options, *scene);
 
     const WindowContext context(windowOptions(options));

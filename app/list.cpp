@@ -25,7 +25,12 @@ nlohmann::ordered_json asJson(const Setting& setting) {
 
 void listAsJson() {
     nlohmann::ordered_json json;
-    for (const BuiltInScene& scene : builtInScenes()) json["scenes"].push_back({{"name", scene.name}, {"summary", scene.summary}});
+    for (const BuiltInScene& scene : builtInScenes()) {
+        nlohmann::ordered_json entry{{"name", scene.name}, {"summary", scene.summary}, {"settings", nlohmann::ordered_json::array()}};
+        if (const std::unique_ptr<SceneRecipe> recipe = makeRecipe(scene.name))
+            for (const Setting& setting : settingsOf(*recipe)) entry["settings"].push_back(asJson(setting));
+        json["scenes"].push_back(entry);
+    }
     gl::ProgramCache programs;
     for (const TechniqueDescription& description : techniqueDescriptions()) {
         nlohmann::ordered_json technique{{"name", description.name},
@@ -34,24 +39,35 @@ void listAsJson() {
                                          {"source", description.source},
                                          {"settings", nlohmann::ordered_json::array()}};
         for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs))) technique["settings"].push_back(asJson(setting));
+        technique["views"] = nlohmann::ordered_json::array();
+        for (const TechniqueView& view : makeTechnique(description.name, programs)->views())
+            technique["views"].push_back({{"name", view.name}, {"title", view.title}, {"unit", view.unit}});
         json["techniques"].push_back(technique);
     }
     fmt::print("{}\n", json.dump(2));
 }
 
+void listSetting(const std::string& owner, const Setting& setting) {
+    const std::string range = setting.isSwitch() ? fmt::format("{} (on or off)", setting.defaultValue != 0.0 ? "on" : "off")
+                                                 : fmt::format("{:g} ({:g} to {:g}, {})", setting.defaultValue, setting.minimum,
+                                                               setting.maximum, setting.unit);
+    fmt::print("    {}.{} = {}\n        {}\n", owner, setting.key, range, setting.help);
+}
+
 void listAsText() {
-    fmt::print("scenes (or a path to a .gltf or .glb file)\n");
-    for (const BuiltInScene& scene : builtInScenes()) fmt::print("  {:<13} {}\n", scene.name, scene.summary);
+    fmt::print("scenes (or a path to a .gltf or .glb file), and the settings of those that are computed, for --set\n");
+    for (const BuiltInScene& scene : builtInScenes()) {
+        fmt::print("  {:<13} {}\n", scene.name, scene.summary);
+        if (const std::unique_ptr<SceneRecipe> recipe = makeRecipe(scene.name))
+            for (const Setting& setting : settingsOf(*recipe)) listSetting(scene.name, setting);
+    }
     fmt::print("\ntechniques, and their settings for --set\n");
     gl::ProgramCache programs;
     for (const TechniqueDescription& description : techniqueDescriptions()) {
         fmt::print("  {:<13} {}\n  {:<13} ({})\n", description.name, description.summary, "", description.source);
-        for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs))) {
-            const std::string range = setting.isSwitch() ? fmt::format("{} (on or off)", setting.defaultValue != 0.0 ? "on" : "off")
-                                                         : fmt::format("{:g} ({:g} to {:g}, {})", setting.defaultValue, setting.minimum,
-                                                                       setting.maximum, setting.unit);
-            fmt::print("    {}.{} = {}\n        {}\n", description.name, setting.key, range, setting.help);
-        }
+        for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs))) listSetting(description.name, setting);
+        for (const TechniqueView& view : makeTechnique(description.name, programs)->views())
+            fmt::print("    --view {}\n        {}\n", view.name, view.title);
     }
 }
 

@@ -45,6 +45,10 @@ int main(int argumentCount, char** arguments) {
         return code;
     } catch (const timeshade::UsageError& error) {
         return fail(2, error.what());
+    } catch (const std::system_error& error) {
+        // fmt does not say which file it could not print to; there is but one.
+        const bool printing = std::ferror(stdout) != 0;
+        return fail(1, printing ? "cannot write to standard output: " + error.code().message() : error.what());
     } catch (const std::exception& error) {
         return fail(1, error.what());
     }

@@ -86,10 +86,10 @@ int runMeasure(const Options& options) {
     SweepOptions sweep;
     std::vector<std::string> names = options.measuredScenes;
     if (names.empty())
-        for (const BuiltInScene& scene : builtInScenes()) names.push_back(scene.name);
+        for (const BuiltInScene& scene : showcase()) names.push_back(scene.name);
     std::vector<std::unique_ptr<Scene>> scenes;
     for (const std::string& name : names) {
-        scenes.push_back(openScene(name, options.clip));
+        scenes.push_back(openScene(name, options.clip, options.settings));
         sweep.scenes.push_back({name, scenes.back().get(), requestFor(options, *scenes.back())});
     }
     sweep.techniques = techniquesOf(options);

@@ -10,8 +10,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "frame_setup.h"
 #include "scene/error.h"
+#include "scenes/scene_recipe.h"
 #include "techniques/registry.h"
+#include "techniques/technique_views.h"
 
 namespace timeshade {
 
@@ -69,22 +72,35 @@ void parseSetting(const std::string& text, Options& options) {
     const std::size_t equals = text.find('=');
     const std::size_t dot = text.find('.');
     if (equals == std::string::npos || dot == std::string::npos || dot > equals || dot == 0)
-        throw UsageError(fmt::format("--set {}: expected TECHNIQUE.KEY=VALUE, as in tsm.bias=0.5", text));
+        throw UsageError(fmt::format("--set {}: expected NAME.KEY=VALUE, as in tsm.bias=0.5 or cubes.count=2000", text));
     options.settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
 }
 
-/// Settings are checked at once against the registry, so that a typing error costs no rendering.
+std::unique_ptr<Technique> techniqueOfSetting(const std::string& name, gl::ProgramCache& programs) {
+    std::string known;
+    for (const TechniqueDescription& technique : techniqueDescriptions()) {
+        if (technique.name == name) return makeTechnique(name, programs);
+        known += technique.name + ", ";
+    }
+    for (const RecipeDescription& recipe : recipeDescriptions()) known += recipe.name + (&recipe == &recipeDescriptions().back() ? "" : ", ");
+    throw UsageError(fmt::format("--set: '{}' is no technique and no computed scene; expected one of {}", name, known));
+}
+
+/// Settings are checked at once against what declares them, so that a typing error costs no rendering.
 void checkSettings(const Options& options) {
     gl::ProgramCache programs;
     makeTechnique(options.technique, programs);
     for (const auto& [name, value] : options.settings) {
-        const std::size_t dot = name.find('.');
-        setFromText(*makeTechnique(name.substr(0, dot), programs), name.substr(dot + 1), value);
+        const std::string owner = name.substr(0, name.find('.')), key = name.substr(owner.size() + 1);
+        if (const std::unique_ptr<SceneRecipe> recipe = makeRecipe(owner))
+            setFromText(*recipe, key, value);
+        else
+            setFromText(*techniqueOfSetting(owner, programs), key, value);
     }
 }
 
 /// A settings file is a JSON object: keys are the long options without their dashes, and "set" an object of technique
-/// settings. It is turned into arguments that come before those of the command line, which therefore win.
+/// and scene settings. It is turned into arguments that come before those of the command line, which therefore win.
 std::vector<std::string> argumentsOfFile(const std::string& path) {
     std::ifstream stream(path);
     std::ostringstream bytes;
@@ -117,19 +133,24 @@ std::vector<std::string> argumentsOfFile(const std::string& path) {
     return arguments;
 }
 
-/// The words of --view.
-enum class Pictured { Final, Visibility, Error, Disagreement };
-
-void choosePicture(Pictured pictured, Options& options) {
-    options.view = pictured == Pictured::Visibility ? View::Visibility : View::Final;
-    if (pictured != Pictured::Error && pictured != Pictured::Disagreement) return;
-    const char* name = pictured == Pictured::Error ? "error" : "disagreement";
-    if (options.command != Command::Shot || !options.output.ends_with(".png"))
-        throw UsageError(fmt::format("--view {}: is for `shot` with a .png file; expected final or visibility here", name));
-    options.diagnostic = pictured == Pictured::Error ? Diagnostic::Error : Diagnostic::Disagreement;
+/// What --view says: one of the program's own views, or one of the technique's.
+void chooseView(const std::string& name, Options& options) {
+    if (name == "visibility") options.view = View::Visibility;
+    if (name == "final" || name == "visibility") return;
+    if (name == "error" || name == "disagreement") {
+        if (options.command != Command::Shot || !options.output.ends_with(".png"))
+            throw UsageError(fmt::format("--view {}: is for `shot` with a .png file; expected final or visibility here", name));
+        options.diagnostic = name == "error" ? Diagnostic::Error : Diagnostic::Disagreement;
+        return;
+    }
+    gl::ProgramCache programs;
+    viewOf(*techniqueFor(options, programs), name);
+    if (options.command == Command::Verify || options.command == Command::Measure)
+        throw UsageError(fmt::format("--view {}: is for pictures; expected final or visibility here", name));
+    options.techniqueView = name;
 }
 
-void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::vector<std::string>& settings, Pictured& pictured) {
+void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::vector<std::string>& settings, std::string& viewName) {
     const auto last = CLI::MultiOptionPolicy::TakeLast;
     app.add_option("--technique", options.technique, "static, tsm, accumulation")->multi_option_policy(last);
     app.add_option("--spp", options.samplesPerPixel, "camera samples per pixel, one per stratum of the shutter")
@@ -154,12 +175,11 @@ void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::ve
         ->multi_option_policy(last);
     app.add_option("--device", options.context.device, "number of an EGL device (list --devices)")
         ->check(numberFrom(0, 1000))->multi_option_policy(last);
-    app.add_option("--set", settings, "TECHNIQUE.KEY=VALUE, repeatable (list shows the keys)")->allow_extra_args(false);
+    app.add_option("--set", settings, "NAME.KEY=VALUE of a technique or a computed scene, as in tsm.bias=0.5 or cubes.count=2000, repeatable (list shows the keys)")->allow_extra_args(false);
     app.add_option("--camera", options.camera, "name of one of the scene's cameras")->check(notEmpty("a camera's name"))->multi_option_policy(last);
     app.add_option("--clip", options.clip, "name of one of the file's animations")->check(notEmpty("a clip's name"))->multi_option_policy(last);
-    app.add_option("--view", pictured, "final, visibility; for shot also error (against a ray-traced reference) and disagreement")
-        ->transform(oneOf<Pictured>({{"final", Pictured::Final}, {"visibility", Pictured::Visibility}, {"error", Pictured::Error},
-                                     {"disagreement", Pictured::Disagreement}}))->multi_option_policy(last);
+    app.add_option("--view", viewName, "final, visibility, or one of the technique's own (list shows them); for shot also error (against a ray-traced reference) and disagreement")
+        ->multi_option_policy(last);
     app.add_flag("--explain", options.explain, "print the plan: which passes run, and why");
     app.add_option("--json", options.json, "write a report of the frame")->check(notEmpty("a file name"))->multi_option_policy(last);
     app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of, and on a NaN or an infinity in any buffer");
@@ -199,7 +219,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     Options options;
     std::string size;
     std::vector<std::string> settings;
-    Pictured pictured = Pictured::Final;
+    std::string viewName = "final";
     std::vector<std::string> arguments(argumentValues + 1, argumentValues + argumentCount);
     options.commandLine = "timeshade";
     for (const std::string& argument : arguments) options.commandLine += " " + argument;
@@ -213,23 +233,23 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
 
     CLI::App* view = app.add_subcommand("view", "open the window");
     view->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file");
-    addFrameOptions(*view, options, size, settings, pictured);
+    addFrameOptions(*view, options, size, settings, viewName);
 
     CLI::App* shot = app.add_subcommand("shot", "draw a picture without a window");
     shot->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file")->required();
     shot->add_option("-o,--output", options.output, "F.png or F.exr")->required();
     shot->add_option("--frames", options.frames, "number of frames to draw, one file each (F.0000.png, ...)")->check(numberFrom(1, 100000));
-    addFrameOptions(*shot, options, size, settings, pictured);
+    addFrameOptions(*shot, options, size, settings, viewName);
 
     CLI::App* pictures = app.add_subcommand("pictures", "draw every built-in scene into a folder, with a table of times");
     pictures->add_option("-o,--output", options.output, "folder")->required();
-    addFrameOptions(*pictures, options, size, settings, pictured);
+    addFrameOptions(*pictures, options, size, settings, viewName);
 
     CLI::App* verify = app.add_subcommand("verify", "compare every camera sample with the ray-traced truth");
     verify->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file")->required();
     verify->add_option("--dump", options.dump, "folder for the data itself: triangles.csv, light.csv, samples.csv");
     verify->add_option("--max-ppm", options.maxPpm, "exit with 3 if more samples in a million disagree")->check(CLI::Range(0.0, 1e6));
-    addFrameOptions(*verify, options, size, settings, pictured);
+    addFrameOptions(*verify, options, size, settings, viewName);
 
     CLI::App* measure = app.add_subcommand("measure", "accuracy against time: tables and charts into a folder");
     measure->add_option("scenes", options.measuredScenes, "built-in scenes or files (default: all built-in ones)");
@@ -241,7 +261,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
         ->delimiter(',')->check(numberFrom(minimumMapSize, maximumMapSize));
     measure->add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")->check(numberFrom(2, 1000));
     measure->add_option("--reference", options.referenceSamples, "samples per pixel of the reference")->check(numberFrom(1, 65536));
-    addFrameOptions(*measure, options, size, settings, pictured);
+    addFrameOptions(*measure, options, size, settings, viewName);
 
     CLI::App* list = app.add_subcommand("list", "scenes, techniques and their settings");
     list->add_flag("--json", options.listAsJson, "as JSON");
@@ -267,8 +287,8 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
         const bool known = path.size() > 4 && (path.ends_with(".png") || path.ends_with(".exr"));
         if (!known) throw UsageError(fmt::format("-o {}: expected a name that ends in .png or .exr", path));
     }
-    choosePicture(pictured, options);
     checkSettings(options);
+    chooseView(viewName, options);
     return options;
 }
 

@@ -27,6 +27,7 @@ struct Options {
     std::string clip;    ///< name of one of the file's animations; empty for the first
     View view = View::Final;
     Diagnostic diagnostic = Diagnostic::None;
+    std::string techniqueView;  ///< name of one of the technique's own views, shown instead of `view`; empty for none
     ContextOptions context;
 
     int width = 640, height = 480;

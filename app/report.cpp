@@ -1,5 +1,7 @@
 #include "report.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -27,12 +29,30 @@ std::string explain(const FramePlan& plan, const Technique& technique, const gl:
     return text;
 }
 
-std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& scene, const std::string& backEnd,
+std::string inWords(const TechniqueFigure& figure) {
+    const bool whole = figure.value == std::floor(figure.value) && std::abs(figure.value) < 1e15;
+    std::string text = whole ? fmt::format("{:.0f}", figure.value) : fmt::format("{:.4g}", figure.value);
+    for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(text.size()) - 3; whole && at > (text.front() == '-' ? 1 : 0); at -= 3)
+        text.insert(static_cast<std::size_t>(at), ",");
+    return figure.unit.empty() ? text : text + " " + figure.unit;
+}
+
+std::string countedInWords(const Technique& technique) {
+    std::string text;
+    for (const TechniqueFigure& figure : technique.figures()) {
+        text += fmt::format("counted   {}: {}\n", figure.name, inWords(figure));
+        if (!figure.warning.empty()) text += fmt::format("beware    {}\n", figure.warning);
+    }
+    return text;
+}
+
+std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& sceneName, const Scene& scene, const std::string& backEnd,
                      const std::vector<gl::PassTimer::Reading>& times) {
     const FrameRequest& request = renderer.plan().request;
     nlohmann::ordered_json json;
     json["timeshade"] = TIMESHADE_VERSION;
-    json["scene"] = scene;
+    json["scene"] = sceneName;
+    for (const SceneParameter& parameter : scene.parameters()) json["scene_settings"][parameter.key] = parameter.value;
     json["technique"] = technique.description().name;
     for (const Setting& setting : settingsOf(technique)) {
         if (setting.isSwitch())
@@ -40,6 +60,9 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
         else
             json["settings"][setting.key] = setting.get();
     }
+    json["figures"] = nlohmann::ordered_json::array();
+    for (const TechniqueFigure& figure : technique.figures())
+        json["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}, {"warning", figure.warning}});
     json["spp"] = request.samplesPerPixel;
     json["size"] = {request.width, request.height};
     json["map"] = request.mapSize;

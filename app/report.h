@@ -5,14 +5,23 @@
 
 #include "frame/frame_renderer.h"
 #include "gl/pass_timer.h"
+#include "scene/scene.h"
 
 namespace timeshade {
 
 /// The plan in words: what moves, which passes run, why, and what to beware of.
 std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device);
 
+/// What the technique counted in the frame drawn last, a line each, with what it means where that is not right; empty if
+/// it counted nothing.
+std::string countedInWords(const Technique& technique);
+
+/// "12,345", "0.25", with the unit.
+std::string inWords(const TechniqueFigure& figure);
+
 /// What --json writes: everything needed to draw the frame again, its times and its memory.
-std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& scene, const std::string& backEnd,
+/// `sceneName` is the scene's as on the command line.
+std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& sceneName, const Scene& scene, const std::string& backEnd,
                      const std::vector<gl::PassTimer::Reading>& times);
 
 /// "NVIDIA ... (4.5)" or the same with "SOFTWARE RENDERER" in front.

@@ -18,15 +18,39 @@ std::filesystem::path sceneDirectory() {
 } // namespace
 
 const std::vector<BuiltInScene>& builtInScenes() {
-    static const std::vector<BuiltInScene> scenes{
-        {"chess", "a game in motion: a knight leaps, a queen slides, a captured rook rolls"},
-        {"octopus", "eight arms that curl over sand, each at its own speed: deforming casters, crossing shadows"},
-        {"pillars", "still pillars under a light that rises within the shutter"},
-    };
+    static const std::vector<BuiltInScene> scenes = [] {
+        std::vector<BuiltInScene> all{
+            {"chess", "a game in motion: a knight leaps, a queen slides, a captured rook rolls"},
+            {"octopus", "eight arms that curl over sand, each at its own speed: deforming casters, crossing shadows"},
+            {"pillars", "still pillars under a light that rises within the shutter"},
+        };
+        for (const RecipeDescription& recipe : recipeDescriptions()) all.push_back({recipe.name, recipe.summary, true});
+        return all;
+    }();
     return scenes;
 }
 
-std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip) {
+std::vector<BuiltInScene> showcase() {
+    std::vector<BuiltInScene> scenes;
+    for (const BuiltInScene& scene : builtInScenes())
+        if (!scene.computed) scenes.push_back(scene);
+    return scenes;
+}
+
+std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTexts& settings) {
+    std::unique_ptr<SceneRecipe> recipe = makeRecipe(name);
+    if (!recipe) return nullptr;
+    const std::string prefix = name + ".";
+    for (const auto& [key, value] : settings)
+        if (key.starts_with(prefix)) setFromText(*recipe, key.substr(prefix.size()), value);
+    return recipe;
+}
+
+std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings) {
+    if (const std::unique_ptr<SceneRecipe> recipe = recipeFor(nameOrPath, settings)) {
+        if (!clip.empty()) throw Error(fmt::format("--clip {}: scene {} is computed and has no clips", clip, nameOrPath));
+        return recipe->make();
+    }
     GltfOptions options;
     options.clip = clip;
     std::string known;

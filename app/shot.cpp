@@ -9,6 +9,7 @@
 #include "gl_checks.h"
 #include "headless.h"
 #include "make_context.h"
+#include "measure/view_scale.h"
 #include "progress.h"
 #include "report.h"
 #include "scene/error.h"
@@ -24,15 +25,21 @@ std::filesystem::path pathOfFrame(const std::string& output, int index, int coun
     return path.parent_path() / fmt::format("{}.{:04}{}", path.stem().string(), index, path.extension().string());
 }
 
+/// A technique's view comes with its scale.
+DisplayImage pictureOf(FrameRenderer& renderer) {
+    const DisplayImage picture = renderer.readPicture();
+    return renderer.techniqueView() ? withScale(picture, *renderer.techniqueView()) : picture;
+}
+
 void write(FrameRenderer& renderer, const std::filesystem::path& path) {
     if (path.extension() == ".exr")
         writeExr(path, renderer.readRadiance());
     else
-        writePng(path, renderer.readPicture());
+        writePng(path, pictureOf(renderer));
 }
 
-void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& technique, View view) {
-    renderer.begin(std::move(plan), technique, view);
+void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& technique, const Options& options) {
+    renderer.begin(std::move(plan), technique, options.view, options.techniqueView);
     const Progress progress(renderer.renders());
     while (!renderer.step()) progress.update(renderer.rendersDone());
 }
@@ -42,7 +49,7 @@ void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& techni
 int runShot(const Options& options) {
     for (int i = 0; i < options.frames; ++i) requireWritable(pathOfFrame(options.output, i, options.frames));
     if (!options.json.empty()) requireWritable(options.json);
-    const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip);
+    const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     FrameRequest request = requestFor(options, *scene);
     for (const std::string& note : scene->notes()) fmt::print(stderr, "timeshade: note: {}\n", note);
 
@@ -57,12 +64,13 @@ int runShot(const Options& options) {
         if (options.explain && i == 0) fmt::print("{}", explain(plan, *technique, renderer.device()));
         std::optional<DisplayImage> diagnostic;
         if (options.diagnostic == Diagnostic::None)
-            drawWithProgress(renderer, std::move(plan), *technique, options.view);
+            drawWithProgress(renderer, std::move(plan), *technique, options);
         else
             diagnostic = drawDiagnostic(renderer, plan, *technique, options.diagnostic);
         const std::filesystem::path path = pathOfFrame(options.output, i, options.frames);
         const auto times = renderer.timer().finishFrame();
         watch.requireSilence();
+        if (options.explain && i == 0) fmt::print("{}", countedInWords(*technique));
         if (diagnostic)
             writePng(path, *diagnostic);
         else
@@ -70,7 +78,7 @@ int runShot(const Options& options) {
         fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), gl::totalOf(times),
                    deviceLine(renderer.device()));
         if (!options.json.empty() && i + 1 == options.frames) {
-            const std::string text = manifest(renderer, *technique, options.scene, context->backEnd(), times);
+            const std::string text = manifest(renderer, *technique, options.scene, *scene, context->backEnd(), times);
             writeFileAtomically(options.json, text);
         }
     }
@@ -87,7 +95,7 @@ int runPictures(const Options& options) {
     fmt::print("{} through {}\n{} at {} x {}, {} samples per pixel, map {}\n\n", deviceLine(renderer.device()), context->backEnd(),
                options.technique, options.width, options.height, options.samplesPerPixel, options.mapSize);
     fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "scene", "sample", "build", "lookup", "shade", "total ms", "picture");
-    for (const BuiltInScene& builtIn : builtInScenes()) {
+    for (const BuiltInScene& builtIn : showcase()) {
         const std::filesystem::path path = folder / (builtIn.name + ".png");
         requireWritable(path);
         const std::unique_ptr<Scene> scene = openScene(builtIn.name, "");
@@ -95,11 +103,11 @@ int runPictures(const Options& options) {
         FramePlanner planner(*scene);
         const FramePlan plan = planner.plan(requestFor(options, *scene));
         // The first draw compiles shaders and fills caches; the second is timed.
-        if (technique->renders() == 1) renderer.draw(plan, *technique, options.view);
+        if (technique->renders() == 1) renderer.draw(plan, *technique, options.view, options.techniqueView);
         renderer.timer().finishFrame();
-        drawWithProgress(renderer, plan, *technique, options.view);
+        drawWithProgress(renderer, plan, *technique, options);
         const auto times = renderer.timer().finishFrame();
-        writePng(path, renderer.readPicture());
+        writePng(path, pictureOf(renderer));
         fmt::print("{:<9}", builtIn.name);
         for (const auto& reading : times)
             if (!reading.isPart()) fmt::print(" {:>9.1f}", reading.milliseconds);

@@ -18,9 +18,9 @@ namespace timeshade {
 
 namespace {
 
-std::string asJson(const Verification& v, const FrameRenderer& renderer, Technique& technique, const std::string& scene,
-                   const std::string& backEnd) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::parse(manifest(renderer, technique, scene, backEnd, {}));
+std::string asJson(const Verification& v, const FrameRenderer& renderer, Technique& technique, const std::string& sceneName,
+                   const Scene& scene, const std::string& backEnd) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(manifest(renderer, technique, sceneName, scene, backEnd, {}));
     json.erase("milliseconds");
     json["samples"] = v.samples;
     json["tested"] = v.tested;
@@ -56,7 +56,7 @@ std::string asText(const Verification& v, const std::string& scene, const std::s
 
 int runVerify(const Options& options) {
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
-    const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip);
+    const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     const FrameRequest request = requestFor(options, *scene);
     const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
     const DriverWatch watch(options.debugGl);
@@ -80,8 +80,9 @@ int runVerify(const Options& options) {
         verification = verifyFrame(renderer, plan, *technique, how);
     }
     watch.requireSilence();
+    if (options.explain) fmt::print("{}", countedInWords(*technique));
     if (dump) dump->finish();
-    const std::string json = asJson(verification, renderer, *technique, options.scene, context->backEnd());
+    const std::string json = asJson(verification, renderer, *technique, options.scene, *scene, context->backEnd());
     if (options.json == "-")
         fmt::print("{}", json);
     else

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "panels/panels.h"
+#include "panels/setting_controls.h"
 #include "panels/theme.h"
 #include "scene_catalogue.h"
 
@@ -17,6 +18,7 @@ void drawScenePanel(Session& session, Widgets& widgets) {
     if (const auto chosen = widgets.combo("scene", "", names, current, ""))
         if (*chosen != current) session.wishedScene = names[*chosen];
     if (builtIn) widgets.paragraph(builtInScenes()[current].summary, theme::quiet);
+    if (session.recipe != nullptr && drawSettings(*session.recipe, "scene.reset", widgets)) session.wishedRebuild = true;
 
     const float width = 52.0f * widgets.scale();
     const bool entered = widgets.field("scene.path", "path of a .gltf or .glb file", session.scenePath, width + ImGui::GetStyle().ItemSpacing.x);

@@ -25,6 +25,18 @@ void drawTime(Widgets& widgets, const std::string& id, const std::string& name, 
     widgets.figure(id, name, milliseconds(value));
 }
 
+/// Each whole with its parts right behind it, whatever the order in which they were first met.
+std::vector<gl::PassTimer::Reading> inOrder(const std::vector<gl::PassTimer::Reading>& readings) {
+    std::vector<gl::PassTimer::Reading> ordered;
+    for (const auto& whole : readings) {
+        if (whole.isPart()) continue;
+        ordered.push_back(whole);
+        for (const auto& part : readings)
+            if (part.isPart() && part.name.starts_with(whole.name + "/")) ordered.push_back(part);
+    }
+    return ordered;
+}
+
 void drawTimes(Session& session, Widgets& widgets) {
     const FrameTimes& times = session.driver.times();
     if (times.frames() == 0 || !session.driver.hasPlan()) {
@@ -33,7 +45,11 @@ void drawTimes(Session& session, Widgets& widgets) {
         return;
     }
     const double total = times.medianTotal();
-    for (const auto& reading : times.medians()) drawTime(widgets, "times." + reading.name, reading.name, reading.milliseconds, total);
+    for (const auto& reading : inOrder(times.medians())) {
+        // "build/collect" stands below "build", as its part.
+        const std::string name = reading.isPart() ? "   " + reading.name.substr(reading.name.rfind('/') + 1) : reading.name;
+        drawTime(widgets, "times." + reading.name, name, reading.milliseconds, total);
+    }
     widgets.figure("times.total", "total", milliseconds(total));
     const FrameRequest& drawn = session.renderer.plan().request;
     const char* what = session.renderer.renders() > 1 ? "render" : "frame";

@@ -1,26 +1,80 @@
 #include "panels/panels.h"
 #include "panels/theme.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "measure/view_scale.h"
+#include "shared/heat_color.shared.h"
+
 namespace timeshade {
+
+namespace {
+
+/// A heat map's colours from left to right, with the numbers that they stand for.
+void drawScale(const TechniqueView& view, Widgets& widgets) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = 10.0f * widgets.scale();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    constexpr int pieces = 96;
+    for (int i = 0; i < pieces; ++i) {
+        const glm::vec3 color = shared::heatColor((static_cast<float>(i) + 0.5f) / pieces);
+        const auto at = [&](int piece) { return corner.x + width * static_cast<float>(piece) / pieces; };
+        list.AddRectFilled({at(i), corner.y}, {at(i + 1), corner.y + height}, ImGui::GetColorU32(ImVec4(color.x, color.y, color.z, 1.0f)));
+    }
+    const std::vector<ScaleMark> marks = marksOf(view);
+    const auto leftOf = [&](const ScaleMark& mark) {
+        const float size = ImGui::CalcTextSize(mark.text.c_str()).x;
+        return std::clamp(width * static_cast<float>(mark.share) - 0.5f * size, 0.0f, std::max(0.0f, width - size));
+    };
+    const float gap = 8.0f * widgets.scale(), lastLeft = leftOf(marks.back());
+    float free = 0.0f;
+    for (const ScaleMark& mark : marks) {
+        const float left = leftOf(mark), end = left + ImGui::CalcTextSize(mark.text.c_str()).x;
+        const bool last = &mark == &marks.back();
+        if (!last && (left < free || end + gap > lastLeft)) continue;
+        list.AddText({corner.x + left, corner.y + height + 2.0f * widgets.scale()}, ImGui::GetColorU32(ImGuiCol_Text), mark.text.c_str());
+        free = end + gap;
+    }
+    ImGui::Dummy({width, height + 2.0f * widgets.scale() + ImGui::GetTextLineHeight()});
+    widgets.dump().lastItem("view.scale", view.name);
+}
+
+/// What the technique itself has to show.
+void drawTechniqueViews(Session& session, Widgets& widgets) {
+    const std::vector<TechniqueView> views = session.technique->views();
+    if (views.empty()) return;
+    std::vector<std::string> names;
+    std::size_t current = views.size();
+    for (const TechniqueView& view : views) {
+        if (view.name == session.techniqueView && session.diagnostic == Diagnostic::None) current = names.size();
+        names.push_back(view.name);
+    }
+    if (const auto chosen = widgets.choice("view.own", names, current)) session.showView(names[*chosen]);
+    if (current == views.size()) return;
+    widgets.paragraph(views[current].title, theme::quiet);
+    drawScale(views[current], widgets);
+}
+
+} // namespace
 
 void drawViewPanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.view", "View", true)) return;
     const auto diagnostic = static_cast<std::size_t>(session.diagnostic);
     constexpr std::size_t none = 2;
-    if (const auto chosen = widgets.choice("view", {"final", "visibility"}, diagnostic == 0 ? static_cast<std::size_t>(session.view) : none)) {
-        session.view = static_cast<View>(*chosen);
-        session.diagnostic = Diagnostic::None;
-    }
+    const bool ofLight = diagnostic == 0 && session.techniqueView.empty();
+    if (const auto chosen = widgets.choice("view", {"final", "visibility"}, ofLight ? static_cast<std::size_t>(session.view) : none))
+        session.showView(*chosen == 0 ? "final" : "visibility");
     if (const auto chosen = widgets.choice("view", {"error", "disagreement"}, diagnostic == 0 ? none : diagnostic - 1)) {
-        session.view = View::Final;
+        session.showView("final");
         session.diagnostic = static_cast<Diagnostic>(*chosen + 1);
     }
+    drawTechniqueViews(session, widgets);
     const DiagnosticPicture& compared = session.diagnosticPicture;
     if (session.diagnostic != Diagnostic::None)
         widgets.paragraph(compared.caption(), compared.failed() ? theme::bad : compared.complete() ? theme::quiet : theme::warning);
-    if (session.view == View::Visibility) widgets.paragraph("The lit share of each pixel's camera samples: white lit, black shadowed.", theme::quiet);
+    if (session.view == View::Visibility && session.techniqueView.empty()) widgets.paragraph("The lit share of each pixel's camera samples: white lit, black shadowed.", theme::quiet);
     if (widgets.button("screenshot", "Save picture (P)")) session.wishedScreenshot = true;
     if (!session.lastScreenshot.empty()) {
         widgets.paragraph(session.lastScreenshot, theme::quiet);

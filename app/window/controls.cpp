@@ -1,5 +1,6 @@
 #include "window/controls.h"
 
+#include <algorithm>
 #include <cmath>
 
 #define GLFW_INCLUDE_NONE  // glad declares OpenGL
@@ -15,6 +16,14 @@ namespace {
 constexpr double radiansPerHeight = 3.0;  // of a drag over the whole height of the picture
 constexpr double zoomPerNotch = 0.88;
 
+/// From one of the comparing views back to the first.
+void nextView(Session& session) {
+    const std::vector<std::string> names = session.viewNames();
+    const auto now = std::find(names.begin(), names.end(), session.viewName());
+    const bool last = now == names.end() || now + 1 == names.end() || session.diagnostic != Diagnostic::None;
+    session.showView(last ? names.front() : *(now + 1));
+}
+
 void applyKey(Session& session, int key) {
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
         const auto index = static_cast<std::size_t>(key - GLFW_KEY_1);
@@ -26,8 +35,7 @@ void applyKey(Session& session, int key) {
     case GLFW_KEY_LEFT: session.playback.step(-1); return;
     case GLFW_KEY_RIGHT: session.playback.step(1); return;
     case GLFW_KEY_V:
-        session.view = session.view == View::Final && session.diagnostic == Diagnostic::None ? View::Visibility : View::Final;
-        session.diagnostic = Diagnostic::None;
+        nextView(session);
         return;
     case GLFW_KEY_P: session.wishedScreenshot = true; return;
     case GLFW_KEY_H: session.panelsVisible = !session.panelsVisible; return;

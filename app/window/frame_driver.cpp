@@ -39,11 +39,12 @@ bool FrameDriver::noticeChange(const Wanted& wanted, double now) {
     std::vector<double> method = methodKeyOf(wanted), frame = frameKeyOf(wanted);
     const bool otherTechnique = techniqueName_ != wanted.technique->description().name;
     const bool otherMethod = otherTechnique || method != methodKey_;
-    if (!otherMethod && frame == frameKey_) return false;
+    if (!otherMethod && frame == frameKey_ && techniqueView_ == wanted.techniqueView) return false;
     if (otherMethod) forgetTimes();
     // Sliders change the cost a little at a time, and the ladder follows; these change it at once.
     if (otherTechnique || methodKey_.empty() || method.front() != methodKey_.front()) quality_.forget();
     techniqueName_ = wanted.technique->description().name;
+    techniqueView_ = wanted.techniqueView;
     methodKey_ = std::move(method);
     frameKey_ = std::move(frame);
     lastChange_ = now;
@@ -79,7 +80,7 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
         picture_ = nullptr;
         hasPlan_ = false;
         FramePlan plan = wanted.planner->plan(quality_.reduced(wanted.request, level));
-        renderer_.begin(std::move(plan), *wanted.technique, wanted.view);
+        renderer_.begin(std::move(plan), *wanted.technique, wanted.view, wanted.techniqueView);
         hasPlan_ = true;
         renderer_.step();
     } catch (const std::exception& error) {

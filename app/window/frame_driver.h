@@ -22,6 +22,7 @@ class FrameDriver {
         int scene = 0;  ///< a number that changes with the scene
         FrameRequest request;
         View view = View::Final;
+        std::string techniqueView;  ///< of the technique's own, instead of `view`; empty for none
         bool moving = false;  ///< it plays, or a mouse button is held
         bool hurry = false;   ///< the full picture at once, whatever moves
     };
@@ -82,7 +83,7 @@ class FrameDriver {
     int toMeasure_ = 0;
     int begun_ = 0;
     std::string failure_;
-    std::string techniqueName_;
+    std::string techniqueName_, techniqueView_;
     const gl::Texture* picture_ = nullptr;
 };
 

@@ -15,7 +15,7 @@ namespace timeshade {
 
 Session::Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName)
     : options(givenOptions), backEnd(std::move(backEndName)), driver(renderer), technique(techniqueFor(options, renderer.programs())),
-      view(options.view) {
+      view(options.view), techniqueView(options.techniqueView) {
     adopt(std::move(firstScene), options.scene);
 }
 
@@ -23,6 +23,7 @@ void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
     const FrameRequest newRequest = requestFor(options, *newScene);
     planner.reset();
     scene = std::move(newScene);
+    recipe = keptRecipe(name);
     planner = std::make_unique<FramePlanner>(*scene);
     sceneName = name;
     ++sceneNumber;
@@ -35,9 +36,26 @@ void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
     playback.play(playing);
 }
 
+SceneRecipe* Session::keptRecipe(const std::string& name) {
+    std::unique_ptr<SceneRecipe>& kept = recipes_[name];
+    if (!kept) kept = recipeFor(name, options.settings);
+    return kept.get();
+}
+
+void Session::rebuild() {
+    if (recipe == nullptr) return;
+    std::unique_ptr<Scene> built = recipe->make();
+    planner.reset();
+    scene = std::move(built);
+    planner = std::make_unique<FramePlanner>(*scene);
+    ++sceneNumber;
+    playback.setLoop(scene->duration(), request.shutter.framesPerSecond);
+}
+
 void Session::openWished(const std::string& name) {
     try {
-        std::unique_ptr<Scene> opened = openScene(name, "");
+        SceneRecipe* computed = keptRecipe(name);
+        std::unique_ptr<Scene> opened = computed != nullptr ? computed->make() : openScene(name, "");
         // The next scene gets its own time, shutter and cameras; what is about the picture stays as it is.
         options.camera.clear();
         options.clip.clear();
@@ -64,6 +82,7 @@ void Session::chooseWished(const std::string& name) {
     Options chosen = options;
     chosen.technique = name;
     technique = techniqueFor(chosen, renderer.programs());
+    figures_.clear();
     const auto known = keptSettings.find(name);
     if (known == keptSettings.end()) return;
     std::vector<Setting> settings = settingsOf(*technique);
@@ -71,9 +90,13 @@ void Session::chooseWished(const std::string& name) {
 }
 
 void Session::applyWishes() {
-    if (wishedScene) openWished(*wishedScene);
+    if (wishedScene)
+        openWished(*wishedScene);
+    else if (wishedRebuild)
+        rebuild();
     if (wishedTechnique) chooseWished(*wishedTechnique);
     wishedScene.reset();
+    wishedRebuild = false;
     wishedTechnique.reset();
 }
 
@@ -88,7 +111,10 @@ FrameDriver::Wanted Session::wanted(bool mouseHeld) {
     request.frame = playback.frame();
     request.cameraPose.reset();
     if (camera) request.cameraPose = camera->pose();
-    return {planner.get(), technique.get(), sceneNumber, request, view, playback.playing() || mouseHeld, wishedScreenshot};
+    const std::vector<std::string> names = viewNames();
+    // Another technique, or another setting of it, may not have the view.
+    if (std::find(names.begin(), names.end(), viewName()) == names.end()) techniqueView.clear();
+    return {planner.get(), technique.get(), sceneNumber, request, view, techniqueView, playback.playing() || mouseHeld, wishedScreenshot};
 }
 
 CameraPose Session::currentPose() const {
@@ -98,6 +124,31 @@ CameraPose Session::currentPose() const {
 OrbitCamera& Session::freeCamera() {
     if (!camera) camera.emplace(currentPose(), scene->bounds());
     return *camera;
+}
+
+std::vector<std::string> Session::viewNames() const {
+    std::vector<std::string> names{"final", "visibility"};
+    for (const TechniqueView& own : technique->views()) names.push_back(own.name);
+    return names;
+}
+
+std::string Session::viewName() const {
+    if (!techniqueView.empty()) return techniqueView;
+    return view == View::Visibility ? "visibility" : "final";
+}
+
+void Session::showView(const std::string& name) {
+    diagnostic = Diagnostic::None;
+    view = name == "visibility" ? View::Visibility : View::Final;
+    techniqueView = name == "final" || name == "visibility" ? "" : name;
+}
+
+const std::vector<TechniqueFigure>& Session::figures() {
+    if (driver.state() == FrameDriver::State::Complete && driver.hasPlan() && figuresOf_ != driver.begun()) {
+        figures_ = technique->figures();
+        figuresOf_ = driver.begun();
+    }
+    return figures_;
 }
 
 void Session::useSceneCamera(std::size_t index) {

@@ -10,6 +10,7 @@
 #include "frame/frame_renderer.h"
 #include "options.h"
 #include "scene/scene.h"
+#include "scenes/scene_recipe.h"
 #include "techniques/technique.h"
 #include "window/accuracy.h"
 #include "window/diagnostic_picture.h"
@@ -41,6 +42,13 @@ struct Session {
     CameraPose currentPose() const;
     /// Takes the camera into the user's hand, from where it is.
     OrbitCamera& freeCamera();
+    /// The views that can be shown, by the names of the command line: those of light first, then the technique's.
+    std::vector<std::string> viewNames() const;
+    std::string viewName() const;
+    /// Ends a comparing view, too.
+    void showView(const std::string& name);
+    /// What the technique counted in the picture that is shown; empty while it is being drawn.
+    const std::vector<TechniqueFigure>& figures();
     void useSceneCamera(std::size_t index);
     void setShutter(const Shutter& shutter);
     void notify(std::string text, bool bad = false);
@@ -54,6 +62,7 @@ struct Session {
 
     std::string sceneName;  ///< as on the command line
     std::unique_ptr<Scene> scene;
+    SceneRecipe* recipe = nullptr;  ///< of a computed scene; null for a file. Its settings are the sliders' own.
     std::unique_ptr<FramePlanner> planner;
     int sceneNumber = 0;
     std::string scenePath;   ///< what is typed in the field
@@ -64,6 +73,7 @@ struct Session {
 
     FrameRequest request;  ///< width and height are those of the picture's place in the window
     View view = View::Final;
+    std::string techniqueView;  ///< of the technique's own, instead of `view`; empty for none
     Playback playback;
     std::optional<OrbitCamera> camera;  ///< while the camera is not the scene's own
     std::vector<SavedView> savedViews;
@@ -75,6 +85,7 @@ struct Session {
     std::string accuracyOther;  ///< the technique that equal time and equal error choose
 
     std::optional<std::string> wishedScene, wishedTechnique;
+    bool wishedRebuild = false;  ///< the recipe's settings have changed
     bool wishedScreenshot = false;
     bool panelsVisible = true;
     bool keysVisible = false;
@@ -86,7 +97,13 @@ struct Session {
   private:
     void adopt(std::unique_ptr<Scene> newScene, const std::string& name);
     void openWished(const std::string& name);
+    void rebuild();
+    SceneRecipe* keptRecipe(const std::string& name);
     void chooseWished(const std::string& name);
+
+    std::vector<TechniqueFigure> figures_;
+    int figuresOf_ = 0;  ///< the picture that they belong to, by its number
+    std::map<std::string, std::unique_ptr<SceneRecipe>> recipes_;  ///< of all computed scenes opened so far, as they were left
 };
 
 } // namespace timeshade

@@ -8,6 +8,7 @@
 
 #include "frame/buffer_check.h"
 #include "scene/error.h"
+#include "techniques/technique_views.h"
 
 namespace timeshade {
 
@@ -39,7 +40,8 @@ FrameRenderer::FrameRenderer()
       timer_(device_.software ? gl::PassTimer::Clock::Finish : gl::PassTimer::Clock::Timestamps),
       samplePass_(programs_),
       shadePass_(programs_),
-      displayPass_(programs_) {}
+      displayPass_(programs_),
+      heatMapPass_(programs_) {}
 
 void FrameRenderer::resize(int width, int height, int strata) {
     GLint largest = 0, deepest = 0;
@@ -59,15 +61,20 @@ void FrameRenderer::resize(int width, int height, int strata) {
     }
 }
 
-void FrameRenderer::begin(FramePlan plan, Technique& technique, View view) {
+void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView) {
     if (const std::optional<std::string> reason = technique.unsupported(plan))
         throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
+    std::optional<TechniqueView> own;
+    if (!techniqueView.empty()) own = viewOf(technique, techniqueView);
     plan_ = std::move(plan);
     technique_ = &technique;
+    techniqueView_ = std::move(own);
     view_ = view;
     renders_ = technique.renders();
     done_ = 0;
     resize(plan_->request.width, plan_->request.height, renders_ > 1 ? 1 : plan_->request.samplesPerPixel);
+    if (techniqueView_ && (!values_ || values_->width() != radiance_->width() || values_->height() != radiance_->height()))
+        values_ = gl::Texture::image2D("view values", GL_R32F, radiance_->width(), radiance_->height());
     mesh_.update(*plan_);
     const std::array<GLfloat, 4> black{};
     glClearTexImage(radiance_->name(), 0, GL_RGBA, GL_FLOAT, black.data());
@@ -91,7 +98,10 @@ bool FrameRenderer::step() {
         const auto timed = timer_.scope("lookup");
         technique_->lookup(frame);
     }
-    {
+    if (techniqueView_) {
+        const auto timed = timer_.scope("view");
+        technique_->drawView(frame, techniqueView_->name, *values_);
+    } else {
         const auto timed = timer_.scope("shade");
         shadePass_.draw(render, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
     }
@@ -100,19 +110,24 @@ bool FrameRenderer::step() {
     return complete();
 }
 
-void FrameRenderer::draw(FramePlan plan, Technique& technique, View view) {
-    begin(std::move(plan), technique, view);
+void FrameRenderer::draw(FramePlan plan, Technique& technique, View view, const std::string& techniqueView) {
+    begin(std::move(plan), technique, view, techniqueView);
     while (!step()) {}
 }
 
 void FrameRenderer::checkBuffers() const {
     requireFinite(visibility_->lit(), "visibility", 0.0f, 1.0f);
     requireFinite(*radiance_, "radiance", 0.0f, std::numeric_limits<float>::max());
+    if (techniqueView_) requireFinite(*values_, "view " + techniqueView_->name, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
     for (const gl::Texture* texture : technique_->textures())
         requireFinite(*texture, technique_->description().name, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
 }
 
 const gl::Texture& FrameRenderer::displayTexture() {
+    if (techniqueView_) {
+        heatMapPass_.draw(fullscreen_, *values_, {techniqueView_->low, techniqueView_->high, techniqueView_->logarithmic}, *picture_);
+        return *picture_;
+    }
     const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
     displayPass_.draw(fullscreen_, *radiance_, scale, view_ == View::Final, *picture_);
     return *picture_;
@@ -126,8 +141,14 @@ DisplayImage FrameRenderer::readPicture() {
 }
 
 LinearImage FrameRenderer::readRadiance() {
-    const std::vector<float> rgba = readArray<float>(*radiance_, GL_RGBA, GL_FLOAT);
     LinearImage image{radiance_->width(), radiance_->height(), {}};
+    if (techniqueView_) {
+        std::vector<float> rgba;
+        for (const float value : readArray<float>(*values_, GL_RED, GL_FLOAT)) rgba.insert(rgba.end(), 4, value);
+        copyRowsUpsideDown<float, float>(rgba, image.width, image.height, image.rgb, 1.0f);
+        return image;
+    }
+    const std::vector<float> rgba = readArray<float>(*radiance_, GL_RGBA, GL_FLOAT);
     const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
     copyRowsUpsideDown<float, float>(rgba, image.width, image.height, image.rgb, scale);
     return image;
@@ -145,7 +166,7 @@ GpuMemory FrameRenderer::memory() const {
     memory.samples = samplePass_.bytes() + (samples_ ? samples_->bytes() : 0);
     memory.visibility = visibility_ ? visibility_->bytes() : 0;
     memory.technique = technique_ ? technique_->bytes() : 0;
-    memory.picture = (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0);
+    memory.picture = (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);
     return memory;
 }
 

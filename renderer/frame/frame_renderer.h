@@ -10,6 +10,7 @@
 #include "image/image_file.h"
 #include "passes/display_pass.h"
 #include "passes/frame_uniforms.h"
+#include "passes/heat_map_pass.h"
 #include "passes/sample_pass.h"
 #include "passes/shade_pass.h"
 #include "techniques/technique.h"
@@ -34,12 +35,13 @@ class FrameRenderer {
     const gl::DeviceInfo& device() const { return device_; }
 
     /// Starts a frame. The technique must outlive the frame. Throws Error where the technique does not support the plan
-    /// or the buffers can't be had.
-    void begin(FramePlan plan, Technique& technique, View view);
+    /// or the buffers can't be had. `techniqueView` names one of the technique's own views, which is then shown as a heat map
+    /// instead of `view`; throws UsageError where the technique has no such view.
+    void begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView = {});
     /// Draws the next render. True when the frame is complete.
     bool step();
     /// begin, and step to the end.
-    void draw(FramePlan plan, Technique& technique, View view);
+    void draw(FramePlan plan, Technique& technique, View view, const std::string& techniqueView = {});
 
     bool complete() const { return renders_ > 0 && done_ == renders_; }
     int rendersDone() const { return done_; }
@@ -49,7 +51,10 @@ class FrameRenderer {
     /// The picture so far, for the screen; drawn anew by every call.
     const gl::Texture& displayTexture();
     DisplayImage readPicture();
+    /// Of a technique's view: its values as they are, in all three channels, negative where there is nothing.
     LinearImage readRadiance();
+    /// The technique's view that is shown, with its scale; nothing where light is shown.
+    const std::optional<TechniqueView>& techniqueView() const { return techniqueView_; }
     /// lit of every camera sample of the last render: [stratum][row from the bottom][column].
     std::vector<float> readVisibility() const;
     /// Triangle of every camera sample of the last render, same order.
@@ -75,13 +80,16 @@ class FrameRenderer {
     SamplePass samplePass_;
     ShadePass shadePass_;
     DisplayPass displayPass_;
+    HeatMapPass heatMapPass_;
     std::optional<SampleBuffer> samples_;
     std::optional<VisibilityBuffer> visibility_;
     std::optional<gl::Texture> radiance_, picture_;
+    std::optional<gl::Texture> values_;  ///< of a technique's view, once one has been shown
 
     std::optional<FramePlan> plan_;
     Technique* technique_ = nullptr;
     View view_ = View::Final;
+    std::optional<TechniqueView> techniqueView_;
     int renders_ = 0, done_ = 0;
     bool checked_ = false;
 };

@@ -1,33 +1,23 @@
 #include "measure/diagnostic_views.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "measure/chart_canvas.h"
+#include "measure/picture_strip.h"
 #include "scene/error.h"
-#include "shared/display_curve.shared.h"
+#include "shared/heat_color.shared.h"
 
 namespace timeshade {
 
 namespace {
 
-constexpr int stripHeight = 34;  // of the scale or legend below the picture
 constexpr double decades = 4.0;
 constexpr Rgb falseShadowColor{40, 120, 255}, falseLitColor{255, 150, 20};
 
-/// OKLab to sRGB (Ottosson 2020), clipped.
 Rgb fromOklab(double lightness, double chroma, double hueDegrees) {
-    const double a = chroma * std::cos(hueDegrees * 3.14159265358979 / 180.0), b = chroma * std::sin(hueDegrees * 3.14159265358979 / 180.0);
-    const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3.0), m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3.0),
-                 s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3.0);
-    const auto encode = [](double linear) {
-        return static_cast<std::uint8_t>(std::lround(255.0f * shared::encodeSrgb(static_cast<float>(std::clamp(linear, 0.0, 1.0)))));
-    };
-    return {encode(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s), encode(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
-            encode(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
+    return eightBits(shared::srgbOfOklab(static_cast<float>(lightness), static_cast<float>(chroma), static_cast<float>(hueDegrees * 3.14159265358979 / 180.0)));
 }
 
 /// 0: nearly black, by way of violet and orange, 1: pale yellow.
@@ -52,22 +42,6 @@ DisplayImage enlargedBy(const DisplayImage& picture, int factor) {
     return large;
 }
 
-/// The picture with a strip that `draw` fills below it.
-template <typename Draw>
-DisplayImage withStrip(const DisplayImage& picture, const Draw& draw) {
-    ChartCanvas canvas(picture.width, stripHeight, Rgb{20, 20, 24});
-    const ChartFonts fonts;
-    draw(canvas, fonts.regular);
-    const DisplayImage strip = canvas.picture();
-    DisplayImage whole{picture.width, picture.height + stripHeight, picture.rgb};
-    whole.rgb.insert(whole.rgb.end(), strip.rgb.begin(), strip.rgb.end());
-    return whole;
-}
-
-void write(ChartCanvas& canvas, const ChartFont& font, const std::string& text, double x, double y) {
-    canvas.drawMask(font.render(text, 12.0, x, y), Rgb{225, 225, 230});
-}
-
 std::uint8_t mix(double from, double to, double share) { return static_cast<std::uint8_t>(std::lround(from + (to - from) * share)); }
 
 } // namespace
@@ -90,7 +64,7 @@ DisplayImage errorView(const LinearImage& image, const LinearImage& reference, d
         for (int decade = 0; decade <= 4; ++decade) {
             const std::string text = fmt::format("{:g}", fullScale * std::pow(10.0, decade - decades));
             const double x = left + (right - left) * decade / decades, width = font.width(text, 12.0);
-            write(canvas, font, text, std::clamp(x - 0.5 * width, left, std::max(left, right - width)), 28.0);
+            writeOnStrip(canvas, font, text, std::clamp(x - 0.5 * width, left, std::max(left, right - width)), 28.0);
         }
     });
 }
@@ -123,10 +97,10 @@ DisplayImage DisagreementView::draw(const DisplayImage& picture, int enlarged) c
     out = enlargedBy(out, enlarged);
     return withStrip(out, [&](ChartCanvas& canvas, const ChartFont& font) {
         canvas.fillBox({12.0, 10.0, 24.0, 22.0}, falseShadowColor);
-        write(canvas, font, fmt::format("false shadow: {} samples", falseShadow), 30.0, 21.0);
+        writeOnStrip(canvas, font, fmt::format("false shadow: {} samples", falseShadow), 30.0, 21.0);
         const double half = 0.5 * out.width;
         canvas.fillBox({half, 10.0, half + 12.0, 22.0}, falseLitColor);
-        write(canvas, font, fmt::format("false lit: {} samples", falseLit), half + 18.0, 21.0);
+        writeOnStrip(canvas, font, fmt::format("false lit: {} samples", falseLit), half + 18.0, 21.0);
     });
 }
 

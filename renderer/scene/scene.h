@@ -32,6 +32,12 @@ struct SceneDefaults {
     double shutterLength = 0.5;  ///< frames
 };
 
+/// One of the numbers that a computed scene was made from.
+struct SceneParameter {
+    std::string key;
+    double value = 0.0;
+};
+
 /// A scene that moves: whatever can be asked for at an instant. Time is in seconds of the chosen clip and may
 /// be any finite number. Immutable once made; safe to read from several threads.
 class Scene {
@@ -61,6 +67,11 @@ class Scene {
     virtual const Bounds& bounds() const = 0;
     /// Notes for the user, one line each: things of the file that are left out or replaced.
     virtual const std::vector<std::string>& notes() const = 0;
+    /// What it was made from, for reports; empty for a file, which says all by itself.
+    virtual const std::vector<SceneParameter>& parameters() const {
+        static const std::vector<SceneParameter> none;
+        return none;
+    }
 };
 
 } // namespace timeshade

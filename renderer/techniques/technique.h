@@ -11,7 +11,7 @@
 #include "passes/sample_buffer.h"
 #include "passes/visibility_buffer.h"
 #include "plan/frame_plan.h"
-#include "techniques/settings.h"
+#include "settings/setting.h"
 
 namespace timeshade {
 
@@ -52,15 +52,14 @@ struct TechniqueFigure {
 /// The thing under study: computes `lit` for every camera sample. It reads the plan, the mesh and the samples and
 /// writes the visibility buffer. It never shades, never asks the clock, draws no random number but from the plan's
 /// seed, and knows no other technique and no window. The frame's uniforms and the mesh are bound when it is called.
-class Technique {
+class Technique : public HasSettings {
   public:
-    virtual ~Technique() = default;
     Technique() = default;
     Technique(const Technique&) = delete;
     Technique& operator=(const Technique&) = delete;
 
     virtual const TechniqueDescription& description() const = 0;
-    virtual void visitSettings(SettingsVisitor& visitor) = 0;
+    const std::string& settingsPrefix() const override { return description().name; }
     /// Why this plan can't be drawn, in words for the user; nothing if it can.
     virtual std::optional<std::string> unsupported(const FramePlan&) const { return std::nullopt; }
     /// The passes that this technique adds to the plan's, each with its reason.

@@ -11,7 +11,8 @@ import unittest
 import zlib
 
 PROGRAM = os.environ.get("TIMESHADE", "")
-SCENES = ("chess", "octopus", "pillars")
+SCENES = ("chess", "octopus", "pillars")  # those that are files
+COMPUTED = ("cubes", "rising", "frusta", "sphere")
 TECHNIQUES = ("static", "tsm", "accumulation")
 # Small and quick: what these suites test does not depend on the number of pixels.
 QUICK = ("--size", "64x48", "--map", "64", "--spp", "2", "--set", "accumulation.renders=2")

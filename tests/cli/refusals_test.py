@@ -60,6 +60,15 @@ class BadArguments(ProgramTest):
                 for technique in TECHNIQUES:
                     self.refuse_usage((wrong, "expected"), *SHOT, "--technique", technique, "--set", setting)
 
+    def test_scene_settings(self):
+        for setting in ("cubes.nonsense=1", "cubes.count=", "cubes.count=0", "cubes.count=1.5", "cubes.count=20001", "cubes.speed=nan",
+                        "cubes.speed=16.1", "Cubes.count=5", "chess.count=5", "nonsense.count=5", "cubes=5", ".count=5"):
+            with self.subTest(setting=setting):
+                self.refuse_usage(("expected",), "shot", "cubes", "-o", "F.png", "--set", setting)
+        # Also where another scene is drawn.
+        self.refuse_usage(("cubes.count=0", "expected"), *SHOT, "--set", "cubes.count=0")
+        self.refuse(1, ("--clip walk", "cubes"), "shot", "cubes", "-o", "F.png", "--clip", "walk")
+
     def test_scenes(self):
         for scene in ("", "nonsense", "Chess", "chess ", "chess.glbx"):
             with self.subTest(scene=scene):

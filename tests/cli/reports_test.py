@@ -4,28 +4,30 @@ import json
 import re
 import unittest
 
-from program import CONTEXTS, PROGRAM, QUICK, SCENES, TECHNIQUES, Picture, ProgramTest
+from program import COMPUTED, CONTEXTS, PROGRAM, QUICK, SCENES, TECHNIQUES, Picture, ProgramTest
 
 
 class Lists(ProgramTest):
     def test_text(self):
         text = self.succeed("list")
-        for word in (*SCENES, *TECHNIQUES, "tsm.bias", "static.pcf_radius", "accumulation.renders", "texels", "renders"):
+        for word in (*SCENES, *COMPUTED, *TECHNIQUES, "tsm.bias", "cubes.count", "frusta.rows", "static.pcf_radius", "accumulation.renders", "texels", "renders"):
             self.assertIn(word, text)
 
     def test_json(self):
         listed = json.loads(self.succeed("list", "--json"))
-        self.assertEqual([scene["name"] for scene in listed["scenes"]], list(SCENES))
+        self.assertEqual([scene["name"] for scene in listed["scenes"]], [*SCENES, *COMPUTED])
         self.assertTrue(set(TECHNIQUES) <= {technique["name"] for technique in listed["techniques"]})
         for scene in listed["scenes"]:
             self.assertGreater(len(scene["summary"]), 10, scene)
+            self.assertEqual(bool(scene["settings"]), scene["name"] in COMPUTED)
         for technique in listed["techniques"]:
             for key in ("title", "summary", "source"):
                 self.assertGreater(len(technique[key]), 2, technique)
-            keys = [setting["key"] for setting in technique["settings"]]
-            self.assertEqual(len(keys), len(set(keys)), technique)
-            for setting in technique["settings"]:
-                with self.subTest(technique=technique["name"], setting=setting["key"]):
+        for owner in listed["scenes"] + listed["techniques"]:
+            keys = [setting["key"] for setting in owner["settings"]]
+            self.assertEqual(len(keys), len(set(keys)), owner)
+            for setting in owner["settings"]:
+                with self.subTest(owner=owner["name"], setting=setting["key"]):
                     self.assertRegex(setting["key"], r"^[a-z][a-z0-9_]*$")
                     self.assertGreater(len(setting["help"]), 20)
                     if isinstance(setting["default"], bool):
@@ -53,6 +55,37 @@ class Lists(ProgramTest):
                     with self.subTest(technique=technique["name"], settings=name):
                         self.shot("octopus", "F.png", *QUICK, "--technique", technique["name"], *settings, "--gl-debug")
                         (self.folder / "F.png").unlink()
+
+    def test_every_scene_setting_takes_its_limits(self):
+        for scene in json.loads(self.succeed("list", "--json"))["scenes"]:
+            if not scene["settings"]:
+                continue
+            both = {"minimum": [], "maximum": []}
+            for setting in scene["settings"]:
+                name = f"{scene['name']}.{setting['key']}"
+                for limit, beyond in (("minimum", -1), ("maximum", 1)):
+                    both[limit] += ["--set", f"{name}={setting[limit]}"]
+                    self.refuse(2, (name, "expected"), "shot", scene["name"], "-o", "F.png", "--set", f"{name}={setting[limit] + beyond}")
+            for limit, settings in both.items():
+                with self.subTest(scene=scene["name"], settings=limit):
+                    self.shot(scene["name"], "F.png", *QUICK, *settings, "--gl-debug")
+                    (self.folder / "F.png").unlink()
+
+    def test_scene_settings_reach_the_picture_and_the_report(self):
+        usual = self.shot("cubes", "usual.png", *QUICK)
+        few = self.shot("cubes", "few.png", *QUICK, "--set", "cubes.count=40", "--json", "few.json")
+        self.assertNotEqual(usual, few)
+        self.assertEqual(json.loads((self.folder / "few.json").read_text())["scene_settings"],
+                         {"count": 40, "speed": 2, "turn": 6, "seed": 1})
+        (self.folder / "s.json").write_text('{"set": {"cubes.count": 40}}')
+        self.assertEqual(self.shot("cubes", "file.png", *QUICK, "--settings", "s.json"), few)
+        self.assertEqual(self.shot("cubes", "again.png", *QUICK, "--settings", "s.json", "--set", "cubes.count=500"), usual)
+        self.assertNotEqual(self.shot("cubes", "seed.png", *QUICK, "--set", "cubes.seed=2"), usual)
+
+    def test_the_camera_path(self):
+        still, path = (self.shot("frusta", f"{camera}.png", *QUICK, "--camera", camera, "--frame", 60) for camera in ("still", "path"))
+        self.assertNotEqual(still, path)
+        self.assertEqual(self.shot("frusta", "later.png", *QUICK, "--camera", "path", "--frame", 300), path)
 
     def test_devices(self):
         text = self.succeed("list", "--devices")

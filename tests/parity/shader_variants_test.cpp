@@ -16,6 +16,7 @@
 
 #include "parity/moving_scene.h"
 #include "support/gl_environment.h"
+#include "support/striped_technique.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -46,6 +47,9 @@ void forEveryCombination(Technique& technique, const std::function<void()>& draw
 /// Draws whatever makes a difference to a shader, on the shared renderer.
 void drawEverything() {
     FrameRenderer& renderer = sharedRenderer();
+    StripedTechnique striped;  // a view, whether or not any technique has one
+    renderer.draw(FramePlanner(*makeMovingScene({.quads = 1})).plan(ProceduralScene::request(16, 12, 1, 16, 1)), striped, View::Final, "columns");
+    renderer.readPicture();
     for (const bool turns : {false, true}) {
         for (const bool directional : {false, true}) {
             const std::unique_ptr<ProceduralScene> scene =
@@ -59,6 +63,10 @@ void drawEverything() {
                     if (technique->unsupported(plan)) return;
                     for (const View view : {View::Final, View::Visibility}) {
                         renderer.draw(plan, *technique, view);
+                        renderer.readPicture();
+                    }
+                    for (const TechniqueView& view : technique->views()) {
+                        renderer.draw(plan, *technique, View::Final, view.name);
                         renderer.readPicture();
                     }
                 });

@@ -32,12 +32,14 @@ struct Include {
 /// directly in the folder: the interface and the registry, no technique.
 const std::map<std::string, std::vector<std::string>> arrows{
     {"scene", {"scene/"}},
+    {"settings", {"settings/", "scene/error.h"}},
+    {"scenes", {"scenes/", "scene/", "settings/", "shared/"}},
     {"image", {"image/", "scene/error.h"}},
     {"plan", {"plan/", "scene/", "shared/"}},
     {"oracle", {"oracle/", "plan/", "scene/", "shared/"}},
     {"gl", {"gl/", "scene/error.h", "shared/"}},
     {"passes", {"passes/", "gl/", "plan/", "scene/", "shared/"}},
-    {"techniques", {"techniques/*", "passes/", "gl/", "plan/", "scene/", "shared/"}},
+    {"techniques", {"techniques/*", "passes/", "gl/", "plan/", "scene/", "settings/", "shared/"}},
     {"frame", {"frame/", "techniques/*", "passes/", "gl/", "plan/", "scene/", "image/", "shared/"}},
     {"measure", {"measure/", "oracle/", "frame/", "techniques/*", "passes/", "gl/", "plan/", "scene/", "image/", "shared/"}},
 };

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace timeshade {
 
-/// One setting of a technique: where its value lies, what it may be and what it does. Declared once; sliders, `--set`,
+/// One setting of a technique or of a scene: where its value lies, what it may be and what it does. Declared once; sliders, `--set`,
 /// settings files, manifests and `list` all follow from it.
 struct Setting {
     std::string key;   ///< lower case with underscores; "tsm.bias" on the command line
@@ -23,7 +24,7 @@ struct Setting {
     bool isWhole() const { return !std::holds_alternative<float*>(value); }
 };
 
-/// Receives a technique's settings in the order in which they should be shown. The current value when declared for the
+/// Receives the settings in the order in which they should be shown. The current value when declared for the
 /// first time is the default.
 class SettingsVisitor {
   public:
@@ -42,12 +43,19 @@ class SettingsVisitor {
     }
 };
 
-class Technique;
+/// What declares settings: everything that --set can name the settings of.
+class HasSettings {
+  public:
+    virtual ~HasSettings() = default;
+    /// What stands before the dot on the command line: "tsm" in "tsm.bias".
+    virtual const std::string& settingsPrefix() const = 0;
+    virtual void visitSettings(SettingsVisitor& visitor) = 0;
+};
 
-/// The technique's settings as a list. The pointers stay valid as long as the technique.
-std::vector<Setting> settingsOf(Technique& technique);
+/// The owner's settings as a list. The pointers stay valid as long as the owner.
+std::vector<Setting> settingsOf(HasSettings& owner);
 
 /// Sets one setting from text ("0.5", "12", "on"). Throws UsageError that names the key, the text and what was expected.
-void setFromText(Technique& technique, const std::string& key, const std::string& text);
+void setFromText(HasSettings& owner, const std::string& key, const std::string& text);
 
 } // namespace timeshade

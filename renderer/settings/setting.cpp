@@ -1,4 +1,4 @@
-#include "techniques/settings.h"
+#include "settings/setting.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "scene/error.h"
-#include "techniques/technique.h"
 
 namespace timeshade {
 
@@ -45,20 +44,20 @@ void Setting::set(double number) {
     if (auto* const* pointer = std::get_if<bool*>(&value)) **pointer = number != 0.0;
 }
 
-std::vector<Setting> settingsOf(Technique& technique) {
+std::vector<Setting> settingsOf(HasSettings& owner) {
     Collector collector;
-    technique.visitSettings(collector);
+    owner.visitSettings(collector);
     return std::move(collector.settings);
 }
 
-void setFromText(Technique& technique, const std::string& key, const std::string& text) {
-    std::vector<Setting> settings = settingsOf(technique);
-    const std::string name = technique.description().name;
+void setFromText(HasSettings& owner, const std::string& key, const std::string& text) {
+    std::vector<Setting> settings = settingsOf(owner);
+    const std::string name = owner.settingsPrefix();
     const auto setting = std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
     if (setting == settings.end()) {
         std::string known;
         for (const Setting& s : settings) known += (known.empty() ? "" : ", ") + name + "." + s.key;
-        throw UsageError(fmt::format("--set {}.{}: no such setting; expected one of {}", name, key, known));
+        throw UsageError(fmt::format("--set {}.{}: no such setting; expected {}", name, key, known.empty() ? "none: it has no settings" : "one of " + known));
     }
     if (setting->isSwitch()) {
         const std::optional<double> state = parseSwitch(text);

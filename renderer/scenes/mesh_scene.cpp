@@ -1,0 +1,70 @@
+#include "scenes/mesh_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace timeshade {
+
+namespace {
+
+void place(const Shape& shape, const RigidPose& pose, std::vector<glm::dvec3>& positions, std::vector<glm::vec3>& normals) {
+    const glm::mat3 turn(pose.axes);
+    for (const glm::dvec3& position : shape.positions) positions.push_back(pose.axes * position + pose.position);
+    for (const glm::vec3& normal : shape.normals) normals.push_back(glm::normalize(turn * normal));
+}
+
+double turnBetween(const glm::dmat3& from, const glm::dmat3& to) {
+    const glm::dmat3 turn = to * glm::transpose(from);
+    return glm::degrees(std::acos(std::clamp(0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1.0), -1.0, 1.0)));
+}
+
+std::shared_ptr<const MeshTopology> topologyOf(const std::vector<MeshInstance>& instances) {
+    auto topology = std::make_shared<MeshTopology>();
+    for (const MeshInstance& instance : instances) {
+        for (const glm::u32vec3& triangle : instance.shape->triangles) {
+            topology->triangles.push_back(triangle + static_cast<std::uint32_t>(topology->vertexCount));
+            topology->triangleMaterials.push_back(instance.material);
+            topology->triangleInstances.push_back(static_cast<std::uint32_t>(topology->instanceCount));
+        }
+        topology->vertexCount += instance.shape->positions.size();
+        ++topology->instanceCount;
+    }
+    topology->textureCoordinates.resize(topology->vertexCount);
+    return topology;
+}
+
+} // namespace
+
+MeshScene::MeshScene(SceneParts parts) : parts_(std::move(parts)), clock_(parts_.duration, true), topology_(topologyOf(parts_.instances)) {
+    for (const auto& [name, pose] : parts_.cameras) cameras_.push_back({name});
+}
+
+MotionMesh MeshScene::motionMesh(double openSeconds, double closeSeconds) const {
+    MotionMesh mesh;
+    mesh.topology = topology_;
+    for (auto* positions : {&mesh.positionsOpen, &mesh.positionsClose}) positions->reserve(topology_->vertexCount);
+    for (auto* normals : {&mesh.normalsOpen, &mesh.normalsClose}) normals->reserve(topology_->vertexCount);
+    for (const MeshInstance& instance : parts_.instances) {
+        const auto at = [&](double share) {
+            return instance.motion ? instance.motion(clock_.during(openSeconds, closeSeconds, share)) : instance.pose;
+        };
+        const RigidPose open = at(0.0), close = at(1.0);
+        place(*instance.shape, open, mesh.positionsOpen, mesh.normalsOpen);
+        place(*instance.shape, close, mesh.positionsClose, mesh.normalsClose);
+        if (!instance.motion) continue;
+        // In steps, because two ends alone cannot tell a whole turn from none.
+        constexpr int steps = 4;
+        double turn = 0.0;
+        glm::dmat3 before = open.axes;
+        for (int step = 1; step <= steps; ++step) {
+            const glm::dmat3 now = step == steps ? close.axes : at(static_cast<double>(step) / steps).axes;
+            turn += turnBetween(before, now);
+            before = now;
+        }
+        // The arccosine of nearly one is rounded to some millionths of a degree.
+        if (turn > 1e-4) mesh.largestTurnDegrees = std::max(mesh.largestTurnDegrees, turn);
+    }
+    return mesh;
+}
+
+} // namespace timeshade

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/clip_clock.h"
+#include "scene/scene.h"
+#include "scenes/shape.h"
+
+namespace timeshade {
+
+/// Where a shape is: turned by the axes, then shifted.
+struct RigidPose {
+    glm::dvec3 position{0.0};
+    glm::dmat3 axes{1.0};  ///< orthonormal, right-handed
+};
+
+/// One shape in a scene. Time is in seconds from 0 to the scene's duration; at both ends the pose is the same.
+struct MeshInstance {
+    std::shared_ptr<const Shape> shape;
+    std::uint32_t material = 0;
+    RigidPose pose;                                   ///< of an instance that stands still
+    std::function<RigidPose(double seconds)> motion;  ///< of one that moves; empty otherwise
+};
+
+/// All that a computed scene consists of. Cameras and the light follow the rule of instances: the same at both ends.
+struct SceneParts {
+    std::string name;
+    double duration = 0.0;  ///< seconds after which everything repeats; 0 where nothing moves
+    SceneDefaults defaults;
+    std::vector<Material> materials;
+    std::vector<MeshInstance> instances;
+    std::vector<std::pair<std::string, std::function<CameraPose(double seconds)>>> cameras;
+    std::function<LightPose(double seconds)> light;
+    Bounds bounds;  ///< what origins are fitted to; must hold everything at all times
+    std::vector<SceneParameter> parameters;
+};
+
+/// A scene of rigid shapes that move as functions of time, which it turns into triangles whose vertices move linearly
+/// within a shutter.
+class MeshScene final : public Scene {
+  public:
+    /// There is at least one material, one instance and one camera, and a light.
+    explicit MeshScene(SceneParts parts);
+
+    const std::string& name() const override { return parts_.name; }
+    double duration() const override { return parts_.duration; }
+    const SceneDefaults& defaults() const override { return parts_.defaults; }
+    const std::vector<Material>& materials() const override { return parts_.materials; }
+    const std::vector<Image>& images() const override { return images_; }
+    const std::vector<CameraBookmark>& cameras() const override { return cameras_; }
+    CameraPose camera(std::size_t index, double seconds) const override { return parts_.cameras.at(index).second(clock_.wrapped(seconds)); }
+    LightPose light(double seconds) const override { return parts_.light(clock_.wrapped(seconds)); }
+    MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
+    const Bounds& bounds() const override { return parts_.bounds; }
+    const std::vector<std::string>& notes() const override { return notes_; }
+    const std::vector<SceneParameter>& parameters() const override { return parts_.parameters; }
+
+  private:
+    SceneParts parts_;
+    ClipClock clock_;
+    std::vector<Image> images_;
+    std::vector<CameraBookmark> cameras_;
+    std::vector<std::string> notes_;
+    std::shared_ptr<const MeshTopology> topology_;
+};
+
+} // namespace timeshade

@@ -1,0 +1,44 @@
+#include "scenes/scene_recipe.h"
+
+#include "scenes/cubes.h"
+#include "scenes/frusta.h"
+#include "scenes/rising.h"
+#include "scenes/sphere.h"
+
+namespace timeshade {
+
+namespace {
+
+std::vector<std::unique_ptr<SceneRecipe>> allRecipes() {
+    std::vector<std::unique_ptr<SceneRecipe>> recipes;
+    recipes.push_back(std::make_unique<Cubes>());
+    recipes.push_back(std::make_unique<Rising>());
+    recipes.push_back(std::make_unique<Frusta>());
+    recipes.push_back(std::make_unique<Sphere>());
+    return recipes;
+}
+
+} // namespace
+
+const std::vector<RecipeDescription>& recipeDescriptions() {
+    static const std::vector<RecipeDescription> descriptions = [] {
+        std::vector<RecipeDescription> all;
+        for (const auto& recipe : allRecipes()) all.push_back(recipe->description());
+        return all;
+    }();
+    return descriptions;
+}
+
+std::unique_ptr<SceneRecipe> makeRecipe(const std::string& name) {
+    for (auto& recipe : allRecipes())
+        if (recipe->description().name == name) return std::move(recipe);
+    return nullptr;
+}
+
+std::vector<SceneParameter> parametersOf(SceneRecipe& recipe) {
+    std::vector<SceneParameter> parameters;
+    for (const Setting& setting : settingsOf(recipe)) parameters.push_back({setting.key, setting.get()});
+    return parameters;
+}
+
+} // namespace timeshade

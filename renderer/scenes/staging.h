@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "scenes/mesh_scene.h"
+
+namespace timeshade {
+
+/// What the computed scenes have in common: matt surfaces, a ground, a spot light that stands still, and motion in
+/// whole rounds, so that every scene repeats without a jump.
+
+constexpr double pi = 3.14159265358979323846;
+
+Material matt(std::string name, const glm::vec3& colour, float roughness = 0.85f);
+
+/// A square of ground in the plane y = 0 about the origin.
+MeshInstance ground(double side, std::uint32_t material);
+
+/// Does not move. Cone angles in radians from the axis.
+std::function<LightPose(double)> stillSpot(const glm::dvec3& position, const glm::dvec3& target, double innerCone, double outerCone);
+
+std::function<CameraPose(double)> stillCamera(const glm::dvec3& eye, const glm::dvec3& target, double verticalFieldOfView);
+
+/// The turn by an angle (radians) about a unit vector.
+glm::dmat3 turnAbout(const glm::dvec3& axis, double angle);
+
+/// A steady way round a circle: `rounds` times in a scene's duration.
+struct Circle {
+    int rounds = 0;       ///< 0: stands still at the centre
+    double radius = 0.0;
+
+    /// The circle on which the chord of one frame has this length, its radius as near to the wanted one as a whole
+    /// number of rounds in `frames` allows. A chord, because that is the way of a vertex in a shutter of one frame.
+    static Circle withChord(double chord, double wantedRadius, int frames);
+};
+
+/// Random numbers that depend on nothing but their place: which scene, which thing, which property.
+class Dice {
+  public:
+    Dice(std::uint32_t seed, std::uint32_t thing) : seed_(seed), thing_(thing) {}
+
+    double share();                       ///< the next number in [0, 1)
+    double between(double low, double high) { return low + (high - low) * share(); }
+    glm::dvec3 direction();               ///< a unit vector, all directions equally likely
+    std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(share() * count); }
+
+  private:
+    std::uint32_t seed_, thing_, property_ = 0;
+};
+
+} // namespace timeshade

@@ -1,0 +1,178 @@
+// Computed scenes: the triangles that they promise, closed and where they say, moving as they say, the same every time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "scene/error.h"
+#include "scenes/mesh_scene.h"
+#include "scenes/scene_recipe.h"
+
+namespace timeshade {
+namespace {
+
+using SettingText = std::pair<const char*, const char*>;
+
+std::unique_ptr<Scene> made(const std::string& name, const std::vector<SettingText>& settings = {}) {
+    const std::unique_ptr<SceneRecipe> recipe = makeRecipe(name);
+    for (const auto& [key, text] : settings) setFromText(*recipe, key, text);
+    return recipe->make();
+}
+
+/// One frame of the shutter that the scene suggests, opened at its start.
+MotionMesh frameOf(const Scene& scene, double frame, double length) {
+    const double rate = scene.defaults().framesPerSecond;
+    return scene.motionMesh(frame / rate, (frame + length) / rate);
+}
+
+using Corner = std::array<double, 3>;
+Corner corner(const glm::dvec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
+
+std::size_t trianglesOfInstance(const MeshTopology& topology, std::uint32_t instance) {
+    return static_cast<std::size_t>(std::count(topology.triangleInstances.begin(), topology.triangleInstances.end(), instance));
+}
+
+/// Directed edges of an instance that have no partner in the opposite direction, by the positions of their ends.
+std::size_t openEdges(const MotionMesh& mesh, std::uint32_t instance) {
+    std::map<std::pair<Corner, Corner>, int> balance;
+    for (std::size_t t = 0; t < mesh.topology->triangles.size(); ++t) {
+        if (mesh.topology->triangleInstances[t] != instance) continue;
+        for (int i = 0; i < 3; ++i) {
+            const Corner a = corner(mesh.positionsClose[mesh.topology->triangles[t][i]]);
+            const Corner b = corner(mesh.positionsClose[mesh.topology->triangles[t][(i + 1) % 3]]);
+            ++balance[{a, b}];
+            --balance[{b, a}];
+        }
+    }
+    return static_cast<std::size_t>(std::count_if(balance.begin(), balance.end(), [](const auto& entry) { return entry.second != 0; }));
+}
+
+TEST(SceneRecipes, EveryDeclarationIsWhole) {
+    ASSERT_EQ(recipeDescriptions().size(), 4u);
+    EXPECT_EQ(makeRecipe("nonsense"), nullptr);
+    for (const RecipeDescription& description : recipeDescriptions()) {
+        const std::unique_ptr<SceneRecipe> recipe = makeRecipe(description.name);
+        ASSERT_NE(recipe, nullptr);
+        const std::vector<Setting> settings = settingsOf(*recipe);
+        EXPECT_FALSE(settings.empty());
+        for (const Setting& setting : settings) {
+            SCOPED_TRACE(description.name + "." + setting.key);
+            EXPECT_EQ(setting.get(), setting.defaultValue) << "a new recipe starts with its defaults";
+            EXPECT_TRUE(setting.minimum <= setting.defaultValue && setting.defaultValue <= setting.maximum);
+        }
+        EXPECT_THROW(setFromText(*recipe, "nonsense", "1"), UsageError);
+        const std::unique_ptr<Scene> scene = recipe->make();
+        EXPECT_EQ(scene->name(), description.name);
+        EXPECT_EQ(scene->parameters().size(), settings.size());
+    }
+}
+
+TEST(SceneRecipes, StayInBoundsAreClosedAndRepeat) {
+    for (const RecipeDescription& description : recipeDescriptions()) {
+        SCOPED_TRACE(description.name);
+        const std::unique_ptr<Scene> scene = made(description.name), again = made(description.name);
+        const double frames = std::round(scene->duration() * scene->defaults().framesPerSecond);
+        EXPECT_GT(frames, 1.0);
+        for (const double frame : {0.0, 5.5, frames - 0.25, frames + 7.0, -3.0}) {
+            const MotionMesh mesh = frameOf(*scene, frame, 1.0), same = frameOf(*again, frame, 1.0);
+            EXPECT_EQ(mesh.positionsOpen, same.positionsOpen) << "not the same scene";
+            EXPECT_EQ(mesh.positionsClose, same.positionsClose);
+            const MotionMesh later = frameOf(*scene, frame + frames, 1.0);
+            double apart = 0.0;
+            for (std::size_t v = 0; v < mesh.positionsOpen.size(); ++v) {
+                apart = std::max(apart, glm::length(later.positionsClose[v] - mesh.positionsClose[v]));
+                EXPECT_NEAR(glm::length(mesh.normalsClose[v]), 1.0f, 1e-5f);
+                for (int axis = 0; axis < 3; ++axis) {
+                    ASSERT_GE(mesh.positionsClose[v][axis], scene->bounds().low[axis]);
+                    ASSERT_LE(mesh.positionsClose[v][axis], scene->bounds().high[axis]);
+                }
+            }
+            EXPECT_LT(apart, 1e-9) << "does not repeat";
+        }
+        const MotionMesh mesh = frameOf(*scene, 3.0, 1.0);
+        EXPECT_GT(openEdges(mesh, 0), 0u) << "the ground is a plane, so the count of open edges counts";
+        for (std::uint32_t instance = 1; instance < std::min<std::size_t>(mesh.topology->instanceCount, 40); ++instance)
+            EXPECT_EQ(openEdges(mesh, instance), 0u) << "instance " << instance;
+    }
+}
+
+TEST(SceneRecipes, CubesFlyAsFarAsTheyAreTold) {
+    for (const char* speed : {"1", "8", "16"}) {
+        const std::unique_ptr<Scene> scene = made("cubes", {{"count", "300"}, {"speed", speed}, {"turn", "0"}});
+        const MotionMesh mesh = frameOf(*scene, 17.0, 1.0);
+        ASSERT_EQ(mesh.topology->instanceCount, 301u);
+        EXPECT_EQ(trianglesOfInstance(*mesh.topology, 300), 12u);
+        EXPECT_EQ(mesh.largestTurnDegrees, 0.0);
+        double least = 1e9, most = 0.0;
+        for (std::size_t v = mesh.positionsOpen.size() - 300 * 24; v < mesh.positionsOpen.size(); ++v) {
+            const double way = glm::length(mesh.positionsClose[v] - mesh.positionsOpen[v]) / 0.4;
+            least = std::min(least, way);
+            most = std::max(most, way);
+        }
+        EXPECT_NEAR(least, 0.5 * std::atof(speed), 0.02 * std::atof(speed));
+        EXPECT_NEAR(most, std::atof(speed), 0.02 * std::atof(speed));
+    }
+}
+
+TEST(SceneRecipes, CubesAreThoseOfTheirSeedAndNumber) {
+    const auto positions = [](const std::vector<SettingText>& settings) { return frameOf(*made("cubes", settings), 0.0, 1.0).positionsOpen; };
+    const std::vector<glm::dvec3> few = positions({{"count", "50"}}), many = positions({{"count", "100"}});
+    EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin())) << "more cubes leave the others where they were";
+    EXPECT_NE(few, positions({{"count", "50"}, {"seed", "2"}}));
+    const std::unique_ptr<Scene> still = made("cubes", {{"speed", "0"}, {"turn", "0"}});
+    EXPECT_EQ(still->duration(), 0.0);
+    const MotionMesh mesh = frameOf(*still, 3.0, 1.0);
+    EXPECT_EQ(mesh.positionsOpen, mesh.positionsClose);
+}
+
+TEST(SceneRecipes, RisingCubesRiseOnly) {
+    const std::unique_ptr<Scene> scene = made("rising", {{"speed", "0.5"}});
+    const MotionMesh mesh = frameOf(*scene, scene->defaults().frame, 1.0);
+    EXPECT_EQ(trianglesOfInstance(*mesh.topology, 1) + trianglesOfInstance(*mesh.topology, 2), 12000u);
+    double most = 0.0;
+    for (std::size_t v = 0; v < mesh.positionsOpen.size(); ++v) {
+        const glm::dvec3 way = mesh.positionsClose[v] - mesh.positionsOpen[v];
+        EXPECT_EQ(way.x, 0.0);
+        EXPECT_EQ(way.z, 0.0);
+        most = std::max(most, way.y);
+    }
+    EXPECT_NEAR(most, 0.5 * 2.4, 0.01) << "half a cube in the frame in which they are fastest";
+    EXPECT_EQ(mesh.largestTurnDegrees, 0.0);
+}
+
+TEST(SceneRecipes, OnlyTheCameraOfTheFrustaMoves) {
+    const std::unique_ptr<Scene> scene = made("frusta");
+    const MotionMesh mesh = frameOf(*scene, 30.0, 1.0);
+    EXPECT_EQ(mesh.positionsOpen, mesh.positionsClose);
+    ASSERT_EQ(scene->cameras().size(), 2u);
+    EXPECT_EQ(scene->cameras()[1].name, "path");
+    const glm::dvec3 eye = scene->camera(0, 0.0).eye;
+    EXPECT_EQ(scene->camera(0, 3.0).eye, eye);
+    EXPECT_GT(glm::length(scene->camera(1, 3.0).eye - eye), 0.5);
+    EXPECT_LT(glm::length(scene->camera(1, 3.0).eye - scene->camera(1, 3.0 + 1.0 / 24.0).eye), 0.15);
+    // They face one another.
+    const glm::dvec3 light = scene->light(0.0).axes[2], camera = scene->camera(0, 0.0).axes[2];
+    EXPECT_LT(glm::dot(light, camera), -0.8);
+}
+
+TEST(SceneRecipes, TheStoneIsConvex) {
+    const std::unique_ptr<Scene> scene = made("sphere", {{"frequency", "8"}});
+    const MotionMesh mesh = frameOf(*scene, 11.0, 1.0);
+    ASSERT_EQ(trianglesOfInstance(*mesh.topology, 1), 1280u);
+    for (std::size_t t = 0; t < mesh.topology->triangles.size(); ++t) {
+        if (mesh.topology->triangleInstances[t] != 1) continue;
+        const glm::u32vec3& triangle = mesh.topology->triangles[t];
+        const glm::dvec3 a = mesh.positionsOpen[triangle.x];
+        const glm::dvec3 normal = glm::normalize(glm::cross(mesh.positionsOpen[triangle.y] - a, mesh.positionsOpen[triangle.z] - a));
+        EXPECT_GT(glm::dot(normal, glm::dvec3(mesh.normalsOpen[triangle.x])), 0.9) << "faces inwards";
+        for (std::size_t v = mesh.positionsOpen.size() - 642; v < mesh.positionsOpen.size(); ++v)
+            ASSERT_LT(glm::dot(mesh.positionsOpen[v] - a, normal), 1e-9) << "lies outside of triangle " << t;
+    }
+    EXPECT_EQ(trianglesOfInstance(*made("sphere")->motionMesh(0.0, 0.0).topology, 1), 20480u);
+}
+
+} // namespace
+} // namespace timeshade
