@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/view_triangle.h"
 #include "shared/swept_bounds.shared.h"
 
 namespace timeshade {
@@ -18,40 +19,12 @@ glm::mat4 viewMatrix(const glm::dmat3& viewFromWorld, const glm::dvec3& eye) {
     return glm::mat4(matrix);
 }
 
-struct ViewTriangle {
-    glm::vec3 open[3];
-    glm::vec3 close[3];
-    bool doubleSided;
-};
-
-ViewTriangle toView(const shared::ViewBlock& block, const glm::vec4* t) {
-    const glm::vec3 open[3] = {glm::vec3(t[0]), {t[0].w, t[1].x, t[1].y}, {t[1].z, t[1].w, t[2].x}};
-    const glm::vec3 close[3] = {{t[2].y, t[2].z, t[2].w}, glm::vec3(t[3]), {t[3].w, t[4].x, t[4].y}};
-    ViewTriangle triangle{};
-    for (int i = 0; i < 3; ++i) {
-        triangle.open[i] = glm::vec3(block.viewFromWorldOpen * glm::vec4(open[i], 1.0f));
-        triangle.close[i] = glm::vec3(block.viewFromWorldClose * glm::vec4(close[i], 1.0f));
-    }
-    triangle.doubleSided = t[4].z != 0.0f;
-    return triangle;
-}
-
 bool facesAway(const ViewTriangle& t, Projection projection) {
     const auto vector = [&](glm::vec3 v) { return projection == Projection::Orthographic ? glm::vec3(v.x, v.y, 1.0f) : v; };
     const glm::vec4 facing =
         shared::determinantCoefficients(vector(t.open[0]), vector(t.open[1]), vector(t.open[2]), vector(t.close[0]),
                                         vector(t.close[1]), vector(t.close[2]));
     return glm::all(glm::lessThan(facing, glm::vec4(0.0f)));
-}
-
-shared::SweptBounds boundsOf(const ViewPlan& view, const ViewTriangle& t) {
-    if (view.turns)
-        return shared::sweptBoundsTurning(t.open[0], t.open[1], t.open[2], t.close[0], t.close[1], t.close[2],
-                                          view.block.raysOpen, view.block.raysClose);
-    if (view.projection == Projection::Orthographic)
-        return shared::sweptBoundsOrthographic(t.open[0], t.open[1], t.open[2], t.close[0], t.close[1], t.close[2]);
-    return shared::sweptBoundsPerspective(t.open[0], t.open[1], t.open[2], t.close[0], t.close[1], t.close[2],
-                                          view.block.nearDistance);
 }
 
 /// Side of the square that covers the triangle during one stratum, about: its own extent and its share of the way.
@@ -104,16 +77,13 @@ void listTriangles(ViewPlan& view, const std::vector<glm::vec4>& positionTexels,
     view.outsideTriangles = view.facingAwayTriangles = 0;
     const auto count = static_cast<std::uint32_t>(positionTexels.size() / TRIANGLE_POSITION_TEXELS);
     for (std::uint32_t id = 0; id < count; ++id) {
-        const ViewTriangle triangle = toView(view.block, positionTexels.data() + std::size_t{id} * TRIANGLE_POSITION_TEXELS);
+        const ViewTriangle triangle = viewTriangle(view.block, positionTexels, id);
         if (rules.dropFacingAway && !triangle.doubleSided && facesAway(triangle, view.projection)) {
             ++view.facingAwayTriangles;
             continue;
         }
         const shared::SweptBounds bounds = boundsOf(view, triangle);
-        const float slack = 1e-3f;  // of the image: far more than the rounding of a projection
-        const bool inside = bounds.low.x <= 1.0f + slack && bounds.low.y <= 1.0f + slack && bounds.high.x >= -slack &&
-                            bounds.high.y >= -slack && bounds.low.x <= bounds.high.x;
-        if (!inside) {
+        if (!meetsImage(bounds)) {
             ++view.outsideTriangles;
             continue;
         }

@@ -4,6 +4,7 @@
 
 #include "scene/error.h"
 #include "techniques/accumulation/accumulation_shadow.h"
+#include "techniques/exact/exact_shadow.h"
 #include "techniques/static/static_shadow.h"
 #include "techniques/tsm/tsm_shadow.h"
 
@@ -26,6 +27,7 @@ const std::vector<Entry>& registry() {
         entry<StaticShadow>(),
         entry<TsmShadow>(),
         entry<AccumulationShadow>(),
+        entry<ExactShadow>(),
     };
     return entries;
 }

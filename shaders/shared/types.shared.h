@@ -9,9 +9,11 @@
 #define SHARED_BEGIN namespace timeshade::shared { using namespace glm;
 #define SHARED_END }
 #define SHARED_FLOAT(x) x##f
+#define SHARED_PRECISE  // the C++ side is compiled without contraction as a whole
 #else
 #define SHARED_FUNCTION
 #define SHARED_BEGIN
 #define SHARED_END
 #define SHARED_FLOAT(x) x
+#define SHARED_PRECISE precise
 #endif

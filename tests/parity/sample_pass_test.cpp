@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "parity/moving_scene.h"
+#include "support/moving_scene.h"
 #include "scene_catalogue.h"
 #include "shared/sample_pattern.shared.h"
 #include "support/gl_environment.h"

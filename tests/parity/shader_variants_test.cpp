@@ -14,7 +14,7 @@
 #include <string>
 #include <unistd.h>
 
-#include "parity/moving_scene.h"
+#include "support/moving_scene.h"
 #include "support/gl_environment.h"
 #include "support/striped_technique.h"
 #include "techniques/registry.h"

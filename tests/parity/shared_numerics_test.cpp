@@ -13,7 +13,9 @@
 
 #include "parity/compute.h"
 #include "shared/sample_pattern.shared.h"
+#include "shared/segment_triangle.shared.h"
 #include "shared/swept_bounds.shared.h"
+#include "support/awkward_numbers.h"
 #include "support/gl_environment.h"
 
 namespace timeshade {
@@ -255,6 +257,36 @@ TEST_F(SharedNumerics, SweptBoundsTurning) {
         }
         ASSERT_EQ(output[5 * i + 4], 0u) << "case " << i;
     }
+}
+
+/// No division and no contraction: the same bits, and so the same decision.
+TEST_F(SharedNumerics, SegmentMeetsTriangle) {
+    constexpr std::size_t count = 100000;
+    AwkwardNumbers numbers(11);
+    std::vector<float> input;
+    for (std::size_t i = 0; i < count; ++i) {
+        const SegmentAndTriangle s = awkwardSegmentAndTriangle(numbers);
+        for (const vec3& v : {s.toLight, s.v[0], s.v[1], s.v[2]})
+            for (int d = 0; d < 3; ++d) input.push_back(v[d]);
+    }
+    const std::vector<std::uint32_t> output = runOnGpu("shared/segment_triangle.shared.h", R"(
+    put(0, segmentMeetsTriangle(in3(0), in3(1), in3(2), in3(3), 0.0) ? 1u : 0u);
+    put(1, edgeSide(in3(0), in3(1), in3(2)));
+    vec3 v = vertexFromReceiver(in3(0), in3(1), 0.3, in3(2));
+    put(2, v.x); put(3, v.y); put(4, v.z);
+)",
+                                                       input, 12, 5);
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto v = [&](std::size_t j) { return vec3(input[12 * i + 3 * j], input[12 * i + 3 * j + 1], input[12 * i + 3 * j + 2]); };
+        const std::uint32_t* gpu = output.data() + 5 * i;
+        ASSERT_EQ(asFloat(gpu[1]), shared::edgeSide(v(0), v(1), v(2))) << "case " << i;
+        const vec3 seen = shared::vertexFromReceiver(v(0), v(1), 0.3f, v(2));
+        for (int d = 0; d < 3; ++d) ASSERT_EQ(asFloat(gpu[2 + d]), seen[d]) << "case " << i;
+        ASSERT_EQ(gpu[0] != 0u, shared::segmentMeetsTriangle(v(0), v(1), v(2), v(3), 0.0f)) << "case " << i;
+        hits += gpu[0];
+    }
+    EXPECT_GT(hits, count / 10);
 }
 
 TEST(UlpsApart, CountsFloats) {

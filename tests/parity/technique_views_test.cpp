@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "measure/view_scale.h"
-#include "parity/moving_scene.h"
+#include "support/moving_scene.h"
 #include "report.h"
 #include "scene/error.h"
 #include "shared/heat_color.shared.h"

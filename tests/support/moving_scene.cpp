@@ -1,4 +1,4 @@
-#include "parity/moving_scene.h"
+#include "support/moving_scene.h"
 
 #include <utility>
 

@@ -1,0 +1,95 @@
+#include "techniques/exact/candidate_cost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "plan/view_triangle.h"
+
+namespace timeshade {
+
+namespace {
+
+/// Relative prices, fitted to measured frames (about nanoseconds on two cores of a software renderer): an entry is counted and
+/// written, an item (triangle and bucket) is set up twice, a cell is cleared and scanned, a candidate's bounds are looked at, a candidate
+/// whose bounds hold the receiver is tested. Receivers crowd where casters are, by `crowding`.
+constexpr double entryPrice = 30.0, itemPrice = 60.0, cellPrice = 5.0, boundsPrice = 2.0, testPrice = 8.0, crowding = 2.5;
+constexpr int mostBuckets = 32;
+constexpr double boundsSteps = 16.0;  // per cell, of a candidate's bounds
+
+struct Extent {
+    glm::dvec2 size, way;  // of the bounds at one instant, and how far they move; map widths, clipped to the map
+};
+
+Extent extentOf(const ViewPlan& light, const ViewTriangle& triangle) {
+    ViewTriangle open = triangle, close = triangle;
+    std::copy(std::begin(open.open), std::end(open.open), std::begin(open.close));
+    std::copy(std::begin(close.close), std::end(close.close), std::begin(close.open));
+    const auto clipped = [](const shared::SweptBounds& bounds) {
+        return glm::dvec2(glm::clamp(bounds.high, 0.0f, 1.0f)) - glm::dvec2(glm::clamp(bounds.low, 0.0f, 1.0f));
+    };
+    Extent extent;
+    extent.size = 0.5 * (clipped(boundsOf(light, open)) + clipped(boundsOf(light, close)));
+    extent.way = glm::max(clipped(boundsOf(light, triangle)) - extent.size, glm::dvec2(0.0));
+    return extent;
+}
+
+std::vector<Extent> pick(const FramePlan& plan, const std::vector<std::uint32_t>& ids, double& each) {
+    const std::size_t step = std::max<std::size_t>(1, (ids.size() + 2047) / 2048);
+    std::vector<Extent> extents;
+    for (std::size_t i = 0; i < ids.size(); i += step)
+        extents.push_back(extentOf(plan.light, viewTriangle(plan.light.block, plan.texels->positions, ids[i])));
+    each = extents.empty() ? 0.0 : static_cast<double>(ids.size()) / static_cast<double>(extents.size());
+    return extents;
+}
+
+double entriesOf(const std::vector<Extent>& extents, double side, double buckets) {
+    double sum = 0.0;
+    for (const Extent& extent : extents) {
+        const glm::dvec2 bounds = (extent.size + extent.way / buckets) * side;
+        sum += 0.5 * (bounds.x + 1.0) * (bounds.y + 1.0) + 0.5;  // half of a triangle's bounds is empty
+    }
+    return sum;
+}
+
+/// Triangles whose bounds, in steps of a sixteenth of a cell, hold a point of the map: their areas' sum.
+double boundsArea(const std::vector<Extent>& extents, double side, double buckets) {
+    double sum = 0.0;
+    for (const Extent& extent : extents) {
+        const glm::dvec2 bounds = extent.size + extent.way / buckets + 1.0 / (boundsSteps * side);
+        sum += bounds.x * bounds.y;
+    }
+    return sum;
+}
+
+} // namespace
+
+CandidateGridSize chooseCandidateGrid(const FramePlan& plan, const LightMotion& motion, int side, int buckets) {
+    std::vector<std::uint32_t> movers = motion.moving;
+    movers.insert(movers.end(), motion.nearPlane.begin(), motion.nearPlane.end());
+    double eachMoving = 0.0, eachStill = 0.0;
+    const std::vector<Extent> moving = pick(plan, movers, eachMoving), still = pick(plan, motion.still, eachStill);
+    const double samples = static_cast<double>(plan.block.imageSize.x) * plan.block.imageSize.y * plan.block.strata;
+
+    CandidateGridSize best;
+    double lowest = 1e300;
+    const int highestSide = std::min(plan.request.mapSize, 1024);
+    for (int s = side > 0 ? side : 16; s <= (side > 0 ? side : highestSide); s *= 2) {
+        for (int b = buckets > 0 ? buckets : 1; b <= (buckets > 0 ? buckets : mostBuckets); b *= 2) {
+            if (buckets <= 0 && b > 1 && moving.empty()) break;
+            const double cells = static_cast<double>(s) * s;
+            const double movingEntries = b * eachMoving * entriesOf(moving, s, b), stillEntries = eachStill * entriesOf(still, s, 1.0);
+            const double looked = movingEntries / (cells * b) + stillEntries / cells;
+            const double tested = eachMoving * boundsArea(moving, s, b) + eachStill * boundsArea(still, s, 1.0);
+            const double cost = entryPrice * (movingEntries + stillEntries) +
+                                itemPrice * (b * static_cast<double>(movers.size()) + static_cast<double>(motion.still.size())) +
+                                crowding * samples * (boundsPrice * looked + testPrice * tested) + cellPrice * cells * (b + 1);
+            if (cost >= lowest) continue;
+            lowest = cost;
+            best = {s, b, movingEntries + stillEntries, crowding * tested};
+        }
+    }
+    return best;
+}
+
+} // namespace timeshade

@@ -1,0 +1,113 @@
+#include "techniques/exact/candidate_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "shared/frame_blocks.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+/// Cells that one invocation visits alone; triangles with more share a work group.
+constexpr GLuint largestWalk = 256;
+constexpr GLuint groupSize = 64;
+/// Groups that work on the queue of such triangles, whatever its length.
+constexpr GLuint largeGroups = 512;
+
+std::size_t deviceLimit() {
+    GLint64 block = 0, texels = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
+    glGetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    return static_cast<std::size_t>(std::min(block / 8, texels));
+}
+
+} // namespace
+
+CandidateGrid::CandidateGrid(gl::ProgramCache& programs)
+    : programs_(programs), lists_(programs), casters_("shadow casters", GL_R32UI), candidates_("shadow candidates", GL_RG32UI) {}
+
+void CandidateGrid::build(const FramePlan& plan, const LightMotion& motion, const CandidateGridSize& wanted, std::size_t mostEntries) {
+    mostEntries = std::min(mostEntries, deviceLimit());
+    uploadCasters(motion);
+    buckets_ = wanted.buckets;
+    coarsened_ = false;
+    for (side_ = wanted.side;; side_ /= 2) {
+        const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(buckets_ + 1);
+        lists_.beginCount(cells);
+        insert(plan, motion, false);
+        entries_ = lists_.scan();
+        if (entries_ <= mostEntries || side_ <= 1) break;
+        coarsened_ = true;
+    }
+    candidates_.reserve(entries_, "lower exact.buckets, or draw fewer triangles");
+    lists_.bindCursors();
+    candidates_.bindForWriting(TECHNIQUE_STORAGE_BINDING);
+    insert(plan, motion, true);
+    CellLists::finishFill();
+}
+
+void CandidateGrid::uploadCasters(const LightMotion& motion) {
+    std::vector<std::uint32_t> all = motion.moving;
+    all.insert(all.end(), motion.nearPlane.begin(), motion.nearPlane.end());
+    all.insert(all.end(), motion.still.begin(), motion.still.end());
+    casters_.reserve(std::max<std::size_t>(all.size(), 1), "draw fewer triangles");
+    glNamedBufferSubData(casters_.buffer().name(), 0, static_cast<GLsizeiptr>(all.size() * sizeof(std::uint32_t)), all.data());
+}
+
+void CandidateGrid::insert(const FramePlan& plan, const LightMotion& motion, bool fill) {
+    const std::size_t moving = motion.moving.size() + motion.nearPlane.size();
+    insertSome(plan, 0, moving, false, fill);
+    insertSome(plan, moving, motion.still.size(), true, fill);
+}
+
+void CandidateGrid::insertSome(const FramePlan& plan, std::size_t first, std::size_t count, bool still, bool fill) {
+    if (count == 0) return;
+    const std::size_t items = still ? count : count * static_cast<std::size_t>(buckets_);
+    std::optional<gl::Buffer>& queue = still ? stillQueue_ : movingQueue_;
+    const std::size_t queueBytes = (items + 1) * sizeof(GLuint);
+    if (!queue || queue->bytes() < queueBytes) queue.emplace("casters of many cells", queueBytes);
+    if (!fill) {
+        const std::array<GLuint, 1> nothing{0};
+        queue->upload(std::span<const GLuint>(nothing));
+    }
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TECHNIQUE_STORAGE_BINDING + 1, queue->name());
+    casters_.bindForReading(LARGE_TRIANGLES_UNIT);
+
+    gl::ShaderDefines defines;
+    if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
+    if (fill) defines.emplace_back("FILL", "1");
+    for (const bool large : {false, true}) {
+        const gl::Program& program =
+            programs_.get({.label = large ? "large casters" : "small casters",
+                           .defines = defines,
+                           .compute = large ? "techniques/exact/large_casters.comp" : "techniques/exact/small_casters.comp"});
+        program.use();
+        glUniform1ui(0, static_cast<GLuint>(side_));
+        glUniform1ui(1, static_cast<GLuint>(buckets_));
+        glUniform1ui(2, static_cast<GLuint>(first));
+        glUniform1ui(4, still ? 1 : 0);
+        if (large) {
+            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+            glDispatchCompute(largeGroups, 1, 1);
+        } else {
+            glUniform1ui(3, static_cast<GLuint>(items));
+            glUniform1ui(5, largestWalk);
+            glDispatchCompute((static_cast<GLuint>(items) + groupSize - 1) / groupSize, 1, 1);
+        }
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void CandidateGrid::bindForLookup(GLuint unit) const {
+    lists_.offsets().bind(unit);
+    candidates_.bindForReading(unit + 1);
+}
+
+std::size_t CandidateGrid::bytes() const {
+    return lists_.bytes() + casters_.bytes() + candidates_.bytes() + (movingQueue_ ? movingQueue_->bytes() : 0) +
+           (stillQueue_ ? stillQueue_->bytes() : 0);
+}
+
+} // namespace timeshade

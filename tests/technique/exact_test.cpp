@@ -1,0 +1,75 @@
+// `exact` is right whatever its grid: the same answers for every number of cells and buckets, every map, and for lists that had
+// to be made coarser; and right by the oracle, in scenes where everything moves.
+#include <gtest/gtest.h>
+
+#include "frame/frame_renderer.h"
+#include "measure/verification.h"
+#include "support/gl_environment.h"
+#include "support/moving_scene.h"
+#include "techniques/exact/candidate_grid.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+namespace {
+
+struct Kind {
+    bool cameraTurns, directional;
+};
+
+class Exact : public testing::TestWithParam<Kind> {};
+
+TEST_P(Exact, AgreesWithTheOracle) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        const std::unique_ptr<ProceduralScene> scene =
+            makeMovingScene({.quads = 40, .seed = seed, .cameraTurns = GetParam().cameraTurns, .directionalLight = GetParam().directional});
+        const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(96, 72, 4, 128, seed));
+        const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
+        const Verification v = verifyFrame(sharedRenderer(), plan, *exact, {});
+        EXPECT_GT(v.tested, 200u);
+        EXPECT_EQ(v.disagree(), v.marginal) << "seed " << seed << ": " << v.falseShadow << " false shadow, " << v.falseLit << " false lit";
+        EXPECT_LE(v.disagree(), 1u + v.tested / 20000u);
+    }
+}
+
+TEST_P(Exact, GridAndMapChangeNothing) {
+    const std::unique_ptr<ProceduralScene> scene = makeMovingScene({.quads = 40, .seed = 9, .cameraTurns = GetParam().cameraTurns,
+                                                                    .directionalLight = GetParam().directional});
+    std::vector<float> first;
+    const auto draw = [&](int mapSize, const char* side, const char* buckets) {
+        const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(96, 72, 4, mapSize, 9));
+        const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
+        setFromText(*exact, "side", side);
+        setFromText(*exact, "buckets", buckets);
+        sharedRenderer().draw(plan, *exact, View::Visibility);
+        const std::vector<float> lit = sharedRenderer().readVisibility();
+        if (first.empty()) first = lit;
+        EXPECT_EQ(lit, first) << "map " << mapSize << ", side " << side << ", buckets " << buckets;
+    };
+    for (const int mapSize : {64, 1024}) draw(mapSize, "0", "0");
+    for (const char* side : {"1", "7", "64", "200", "1024"}) draw(256, side, "4");
+    for (const char* buckets : {"1", "2", "3", "8", "31", "32"}) draw(256, "64", buckets);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Exact,
+                         testing::Values(Kind{false, false}, Kind{true, false}, Kind{false, true}));
+
+/// Lists that do not fit are made with larger cells, and still hold every triangle that they must.
+TEST(CandidateGrid, GrowsCoarserUntilItsListsFit) {
+    const std::unique_ptr<ProceduralScene> scene = makeMovingScene({.quads = 40, .seed = 4});
+    const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(96, 72, 4, 256, 4));
+    const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
+    sharedRenderer().draw(plan, *exact, View::Visibility);  // leaves the frame's uniforms and the mesh bound
+    const LightMotion motion = classifyForLight(plan);
+    CandidateGrid grid(sharedRenderer().programs());
+    grid.build(plan, motion, {256, 4, 0.0, 0.0});
+    EXPECT_FALSE(grid.coarsened());
+    const std::size_t entries = grid.entries();
+    grid.build(plan, motion, {256, 4, 0.0, 0.0}, entries / 3);
+    EXPECT_TRUE(grid.coarsened());
+    EXPECT_LT(grid.side(), 256);
+    EXPECT_LE(grid.entries(), entries / 3);
+    EXPECT_GT(grid.entries(), 0u);
+}
+
+} // namespace
+} // namespace timeshade
