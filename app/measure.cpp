@@ -15,6 +15,7 @@
 #include "gl_checks.h"
 #include "make_context.h"
 #include "measure/sweep_report.h"
+#include "measure/technique_variant.h"
 #include "report.h"
 #include "scene/error.h"
 #include "scene_catalogue.h"
@@ -40,7 +41,7 @@ std::vector<std::string> techniquesOf(const Options& options) {
     }
     gl::ProgramCache programs;
     for (const std::string& name : names)
-        if (name != "embree") makeTechnique(name, programs);  // throws for an unknown one
+        if (name != "embree") TechniqueVariant::of(name).make(options.settings, programs);  // throws for an unknown one
     return names;
 }
 
@@ -49,9 +50,7 @@ std::vector<std::string> settingLines(const std::vector<std::string>& techniques
     gl::ProgramCache programs;
     for (const std::string& name : techniques) {
         if (name == "embree") continue;
-        Options one = options;
-        one.technique = name;
-        const std::unique_ptr<Technique> technique = techniqueFor(one, programs);
+        const std::unique_ptr<Technique> technique = TechniqueVariant::of(name).make(options.settings, programs);
         for (const Setting& setting : settingsOf(*technique))
             if (setting.key != "renders") lines.push_back(fmt::format("{}.{} = {:g}", name, setting.key, setting.get()));
     }
@@ -62,7 +61,7 @@ std::vector<std::string> settingLines(const std::vector<std::string>& techniques
 std::vector<std::string> planLines(const SweepScene& scene, const std::string& technique, const gl::DeviceInfo& device, gl::ProgramCache& programs) {
     FramePlanner planner(*scene.scene);
     const std::string name = technique == "embree" ? techniqueDescriptions().front().name : technique;
-    std::istringstream text(explain(planner.plan(scene.request), *makeTechnique(name, programs), device));
+    std::istringstream text(explain(planner.plan(scene.request), *TechniqueVariant::of(name).make({}, programs), device));
     std::vector<std::string> lines;
     for (std::string line; std::getline(text, line);) lines.push_back(line);
     return lines;
@@ -88,11 +87,20 @@ int runMeasure(const Options& options) {
     if (names.empty())
         for (const BuiltInScene& scene : showcase()) names.push_back(scene.name);
     std::vector<std::unique_ptr<Scene>> scenes;
-    for (const std::string& name : names) {
-        scenes.push_back(openScene(name, options.clip, options.settings));
-        sweep.scenes.push_back({name, scenes.back().get(), requestFor(options, *scenes.back())});
-    }
     sweep.techniques = techniquesOf(options);
+    const std::string variedScene = options.variedSetting.substr(0, options.variedSetting.find('.'));
+    for (const std::string& name : names) {
+        const auto add = [&](const SettingTexts& settings, const std::string& varied, double value) {
+            scenes.push_back(openScene(name, options.clip, settings));
+            sweep.scenes.push_back({name, scenes.back().get(), varied, value, requestFor(options, *scenes.back())});
+        };
+        if (name != variedScene) add(options.settings, "", 0.0);
+        for (const std::string& value : name == variedScene ? options.variedValues : std::vector<std::string>{}) {
+            SettingTexts settings = options.settings;
+            settings.emplace_back(options.variedSetting, value);
+            add(settings, options.variedSetting, std::stod(value));
+        }
+    }
     sweep.settings = options.settings;
     sweep.efforts = options.measuredEfforts;
     sweep.mapSizes = options.measuredMaps;
@@ -117,7 +125,7 @@ int runMeasure(const Options& options) {
     manifest.device = renderer.device();
     manifest.settings = settingLines(sweep.techniques, options);
     for (const SweepScene& scene : sweep.scenes)
-        manifest.plans[scene.name] = planLines(scene, sweep.techniques.front(), renderer.device(), renderer.programs());
+        manifest.plans[scene.varied.empty() ? scene.name : fmt::format("{} {}={:g}", scene.name, scene.varied, scene.variedValue)] = planLines(scene, sweep.techniques.front(), renderer.device(), renderer.programs());
     writeSweepReport(folder, manifest, rows);
     fmt::print("{}\n", std::filesystem::absolute(folder / "report.md").lexically_normal().string());
     return 0;

@@ -76,6 +76,26 @@ void parseSetting(const std::string& text, Options& options) {
     options.settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
 }
 
+/// "cubes.count=1000,2000". Every value is tried at once.
+void parseVaried(const std::string& text, Options& options) {
+    const std::string expected = "expected SCENE.KEY=V1,V2,... of a computed scene, as in cubes.count=1000,2000";
+    const std::size_t equals = text.find('='), dot = text.find('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot > equals) throw UsageError(fmt::format("--vary {}: {}", text, expected));
+    const std::string scene = text.substr(0, dot);
+    const std::unique_ptr<SceneRecipe> recipe = makeRecipe(scene);
+    if (!recipe) throw UsageError(fmt::format("--vary {}: '{}' is no computed scene; {}", text, scene, expected));
+    options.variedSetting = text.substr(0, equals);
+    std::istringstream values(text.substr(equals + 1));
+    for (std::string value; std::getline(values, value, ',');) {
+        setFromText(*recipe, text.substr(dot + 1, equals - dot - 1), value);
+        options.variedValues.push_back(value);
+    }
+    if (options.variedValues.empty()) throw UsageError(fmt::format("--vary {}: {}", text, expected));
+    if (options.measuredScenes.empty()) options.measuredScenes = {scene};
+    if (std::find(options.measuredScenes.begin(), options.measuredScenes.end(), scene) == options.measuredScenes.end())
+        throw UsageError(fmt::format("--vary {}: scene {} is not among those that are measured", text, scene));
+}
+
 std::unique_ptr<Technique> techniqueOfSetting(const std::string& name, gl::ProgramCache& programs) {
     std::string known;
     for (const TechniqueDescription& technique : techniqueDescriptions()) {
@@ -219,7 +239,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     Options options;
     std::string size;
     std::vector<std::string> settings;
-    std::string viewName = "final";
+    std::string viewName = "final", varied;
     std::vector<std::string> arguments(argumentValues + 1, argumentValues + argumentCount);
     options.commandLine = "timeshade";
     for (const std::string& argument : arguments) options.commandLine += " " + argument;
@@ -254,9 +274,11 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     CLI::App* measure = app.add_subcommand("measure", "accuracy against time: tables and charts into a folder");
     measure->add_option("scenes", options.measuredScenes, "built-in scenes or files (default: all built-in ones)");
     measure->add_option("-o,--output", options.output, "folder; a sweep that was interrupted goes on there")->required();
-    measure->add_option("--techniques", options.measuredTechniques, "names, and embree for the ray-traced peer (default: all)")->delimiter(',');
-    measure->add_option("--spps", options.measuredEfforts, "samples per pixel to measure, as in 1,2,4,8,16")
-        ->delimiter(',')->check(numberFrom(1, maximumSamplesPerPixel));
+    measure->add_option("--techniques", options.measuredTechniques, "names, with settings after colons as in tsm:bias=2, and embree for the ray-traced peer (default: all)")->delimiter(',');
+    measure->add_option("--vary", varied, "SCENE.KEY=V1,V2,... of a computed scene: measure it at each of these values, as in cubes.count=1000,2000")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    auto* spps = measure->add_option("--spps", options.measuredEfforts, "samples per pixel to measure, as in 1,2,4,8,16 (with --vary by default that of --spp alone)");
+    spps->delimiter(',')->check(numberFrom(1, maximumSamplesPerPixel));
     measure->add_option("--maps", options.measuredMaps, "map sizes to measure, as in 256,512")
         ->delimiter(',')->check(numberFrom(minimumMapSize, maximumMapSize));
     measure->add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")->check(numberFrom(2, 1000));
@@ -281,6 +303,10 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
         options.height = 240;
     }
     if (!size.empty()) parseSize(size, options);
+    if (!varied.empty()) {
+        parseVaried(varied, options);
+        if (spps->count() == 0) options.measuredEfforts = {options.samplesPerPixel};
+    }
     for (const std::string& setting : settings) parseSetting(setting, options);
     if (options.command == Command::Shot) {
         const std::string& path = options.output;

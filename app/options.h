@@ -46,9 +46,11 @@ struct Options {
     std::string dump;              ///< folder for verify's data
     std::optional<double> maxPpm;  ///< verify: exit code 3 above it
     std::vector<std::string> measuredScenes;      ///< measure: empty for all built-in ones
-    std::vector<std::string> measuredTechniques;  ///< measure: empty for all, and Embree
+    std::vector<std::string> measuredTechniques;  ///< measure: names or TechniqueVariants; empty for all, and Embree
     std::vector<int> measuredEfforts{1, 2, 4, 8, 16};  ///< measure: samples per pixel
     std::vector<int> measuredMaps{512};
+    std::string variedSetting;          ///< measure: a computed scene's setting, "cubes.count"; empty for none
+    std::vector<std::string> variedValues;  ///< the values that it takes, checked
     int rounds = 3;               ///< measure: how often each point is timed, each with a seed of its own
     int referenceSamples = 256;   ///< measure: samples per pixel of the reference
     std::string commandLine;      ///< as typed, for manifests

@@ -30,7 +30,8 @@ std::string explain(const FramePlan& plan, const Technique& technique, const gl:
 }
 
 std::string inWords(const TechniqueFigure& figure) {
-    const bool whole = figure.value == std::floor(figure.value) && std::abs(figure.value) < 1e15;
+    const double size = std::abs(figure.value);
+    const bool whole = size < 1e15 && (size >= 1e4 || figure.value == std::floor(figure.value));  // no share of so many matters
     std::string text = whole ? fmt::format("{:.0f}", figure.value) : fmt::format("{:.4g}", figure.value);
     for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(text.size()) - 3; whole && at > (text.front() == '-' ? 1 : 0); at -= 3)
         text.insert(static_cast<std::size_t>(at), ",");

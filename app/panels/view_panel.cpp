@@ -37,7 +37,7 @@ void drawScale(const TechniqueView& view, Widgets& widgets) {
         list.AddText({corner.x + left, corner.y + height + 2.0f * widgets.scale()}, ImGui::GetColorU32(ImGuiCol_Text), mark.text.c_str());
         free = end + gap;
     }
-    ImGui::Dummy({width, height + 2.0f * widgets.scale() + ImGui::GetTextLineHeight()});
+    ImGui::Dummy({width, height + 2.0f * widgets.scale() + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y});
     widgets.dump().lastItem("view.scale", view.name);
 }
 

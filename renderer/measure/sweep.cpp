@@ -10,8 +10,8 @@
 #include "measure/embree_peer.h"
 #include "measure/reference.h"
 #include "measure/sweep_journal.h"
+#include "measure/technique_variant.h"
 #include "measure/truth_technique.h"
-#include "techniques/registry.h"
 
 namespace timeshade {
 
@@ -37,9 +37,7 @@ struct Subject {
 
 std::unique_ptr<Technique> makeSubject(const SweepPoint& point, const SweepOptions& options, gl::ProgramCache& programs) {
     if (point.technique == "embree") return std::make_unique<TruthTechnique>();
-    std::unique_ptr<Technique> technique = makeTechnique(point.technique, programs);
-    for (const auto& [name, value] : options.settings)
-        if (name.rfind(point.technique + ".", 0) == 0) setFromText(*technique, name.substr(point.technique.size() + 1), value);
+    std::unique_ptr<Technique> technique = TechniqueVariant::of(point.technique).make(options.settings, programs);
     if (technique->renders() > 1) setFromText(*technique, "renders", std::to_string(bruteForceRenders(point.effort)));
     return technique;
 }
@@ -67,7 +65,7 @@ class SceneSweep {
         : renderer_(renderer), options_(options), scene_(scene), cache_(cache), steps_(steps), planner_(*scene.scene) {}
 
     void run(std::vector<Subject>& subjects) {
-        steps_.next(scene_.name + ": reference");
+        steps_.next(scene_.varied.empty() ? scene_.name + ": reference" : fmt::format("{} {}={}: reference", scene_.name, scene_.varied, scene_.variedValue));
         ReferenceOptions how;
         how.samplesPerPixel = options_.referenceSamples;
         reference_ = referenceImage(renderer_, planFor(subjects.front().point, 0), how, cache_);
@@ -111,6 +109,7 @@ class SceneSweep {
             const GpuMemory memory = renderer_.memory();
             subject.row.bytes = memory.total();
             subject.row.techniqueBytes = memory.technique;
+            subject.row.figures = subject.technique->figures();
         }
     }
 
@@ -155,7 +154,7 @@ std::vector<SweepPoint> pointsOf(const SweepOptions& options, const SweepScene& 
     for (const std::string& technique : options.techniques)
         for (const int mapSize : options.mapSizes) {
             if (technique == "embree" && mapSize != options.mapSizes.front()) continue;  // it has no map
-            for (const int effort : options.efforts) points.push_back({scene.name, technique, effort, mapSize});
+            for (const int effort : options.efforts) points.push_back({scene.name, technique, effort, mapSize, scene.varied, scene.variedValue});
         }
     return points;
 }
@@ -168,13 +167,17 @@ std::string experimentOf(const FrameRenderer& renderer, const SweepOptions& opti
     for (const SweepScene& scene : options.scenes)
         text += fmt::format("; {} {}x{} frame {} shutter {} fps {} seed {} camera {}", scene.name, scene.request.width, scene.request.height,
                             scene.request.frame, scene.request.shutter.length, scene.request.shutter.framesPerSecond, scene.request.seed,
-                            scene.request.cameraIndex);
+                            scene.request.cameraIndex) +
+                (scene.varied.empty() ? "" : fmt::format(" {}={}", scene.varied, scene.variedValue));
     return text;
 }
 
 } // namespace
 
-std::string SweepPoint::key() const { return fmt::format("{} {} spp {} map {}", scene, technique, effort, mapSize); }
+std::string SweepPoint::key() const {
+    const std::string place = varied.empty() ? scene : fmt::format("{} {}={}", scene, varied, variedValue);
+    return fmt::format("{} {} spp {} map {}", place, technique, effort, mapSize);
+}
 
 std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache) {
     SweepJournal journal(options.journal, experimentOf(renderer, options));

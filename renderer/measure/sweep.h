@@ -17,9 +17,11 @@ namespace timeshade {
 /// One setting of the experiment.
 struct SweepPoint {
     std::string scene;
-    std::string technique;  ///< name in the registry, or "embree" for the ray-traced peer
+    std::string technique;  ///< a TechniqueVariant, or "embree" for the ray-traced peer
     int effort = 8;         ///< samples per pixel; brute force draws bruteForceRenders(effort) renders instead
     int mapSize = 512;
+    std::string varied{};       ///< the scene's setting that the sweep varies: "cubes.count"; empty for none
+    double variedValue = 0.0;
 
     /// Unique in a sweep; what rows are known by in the journal.
     std::string key() const;
@@ -35,7 +37,8 @@ struct Timing {
 
 struct SweepRow {
     SweepPoint point;
-    std::map<std::string, Timing> steps;  ///< sample, build, lookup, shade, total
+    std::map<std::string, Timing> steps;  ///< sample, build, lookup, shade, total; and parts: "build/collect"
+    std::vector<TechniqueFigure> figures; ///< what the technique counted in the first seed's picture
     ErrorMetrics error;                   ///< of the first seed's picture
     BiasAndNoise biasAndNoise;            ///< over all rounds, each with a seed of its own
     Verification verification;            ///< of the first seed's samples
@@ -46,12 +49,14 @@ struct SweepRow {
 struct SweepScene {
     std::string name;
     const Scene* scene = nullptr;
+    std::string varied{};  ///< as in SweepPoint; scenes of one name then differ in the value
+    double variedValue = 0.0;
     FrameRequest request;  ///< size, frame, shutter, camera; samples, map and seed are the sweep's
 };
 
 struct SweepOptions {
     std::vector<SweepScene> scenes;
-    std::vector<std::string> techniques;  ///< "embree" among them adds the peer
+    std::vector<std::string> techniques;  ///< TechniqueVariants; "embree" among them adds the peer
     std::vector<std::pair<std::string, std::string>> settings;  ///< "tsm.bias", "0.5"
     std::vector<int> efforts{1, 2, 4, 8, 16};
     std::vector<int> mapSizes{512};

@@ -51,6 +51,7 @@ std::string rowAsJson(const SweepRow& row) {
     json["technique"] = row.point.technique;
     json["spp"] = row.point.effort;
     json["map"] = row.point.mapSize;
+    if (!row.point.varied.empty()) json["varied"] = {{"key", row.point.varied}, {"value", row.point.variedValue}};
     for (const auto& [name, timing] : row.steps) json["milliseconds"][name] = {{"median", timing.median}, {"low", timing.low}, {"high", timing.high}};
     json["error"] = {{"rmse", number(row.error.rmse)},
                      {"relative_mse", number(row.error.relativeMse)},
@@ -63,13 +64,20 @@ std::string rowAsJson(const SweepRow& row) {
                      {"mean_error", number(row.biasAndNoise.meanError)}};
     json["verify"] = asJson(row.verification);
     json["bytes"] = {{"total", row.bytes}, {"technique", row.techniqueBytes}};
+    json["figures"] = Json::array();
+    for (const TechniqueFigure& figure : row.figures)
+        json["figures"].push_back({{"name", figure.name}, {"value", number(figure.value)}, {"unit", figure.unit}, {"warning", figure.warning}});
     return json.dump();
 }
 
 SweepRow rowFromJson(const std::string& text) {
     const Json json = Json::parse(text);
     SweepRow row;
-    row.point = {json.at("scene"), json.at("technique"), json.at("spp"), json.at("map")};
+    row.point = {json.at("scene"), json.at("technique"), json.at("spp"), json.at("map"), "", 0.0};
+    if (json.contains("varied")) {
+        row.point.varied = json.at("varied").at("key");
+        row.point.variedValue = json.at("varied").at("value");
+    }
     for (const auto& [name, timing] : json.at("milliseconds").items()) row.steps[name] = {timing.at("median"), timing.at("low"), timing.at("high")};
     const Json& error = json.at("error");
     row.error.rmse = numberOf(error.at("rmse"));
@@ -84,6 +92,8 @@ SweepRow rowFromJson(const std::string& text) {
     row.verification = verificationOf(json.at("verify"));
     row.bytes = json.at("bytes").at("total");
     row.techniqueBytes = json.at("bytes").at("technique");
+    for (const Json& figure : json.at("figures"))
+        row.figures.push_back({figure.at("name"), numberOf(figure.at("value")), figure.at("unit"), figure.at("warning")});
     return row;
 }
 

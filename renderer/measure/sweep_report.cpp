@@ -26,6 +26,23 @@ std::vector<std::string> scenesOf(const std::vector<SweepRow>& rows) {
     return scenes;
 }
 
+/// "tsm" of "tsm:bias=2".
+std::string baseOf(const std::string& technique) { return technique.substr(0, technique.find(':')); }
+
+const SweepRow* variedRow(const std::vector<SweepRow>& rows, const std::string& scene) {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const SweepRow& row) { return row.point.scene == scene && !row.point.varied.empty(); });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+/// Names of the parts of steps ("build/collect") in any of the rows; of one scene, or of all where it is empty.
+std::vector<std::string> partsOf(const std::vector<SweepRow>& rows, const std::string& scene) {
+    std::set<std::string> parts;
+    for (const SweepRow& row : rows)
+        for (const auto& [name, timing] : row.steps)
+            if (name.find('/') != std::string::npos && (scene.empty() || row.point.scene == scene)) parts.insert(name);
+    return {parts.begin(), parts.end()};
+}
+
 /// "tsm", or "tsm, map 256" where a scene was measured with several maps.
 std::string curveName(const std::vector<SweepRow>& rows, const SweepPoint& point) {
     std::set<int> maps;
@@ -35,7 +52,7 @@ std::string curveName(const std::vector<SweepRow>& rows, const SweepPoint& point
 }
 
 std::string effortLabel(const SweepPoint& point) {
-    return point.technique == "accumulation" ? fmt::format("{}x", bruteForceRenders(point.effort)) : fmt::format("{}", point.effort);
+    return baseOf(point.technique) == "accumulation" ? fmt::format("{}x", bruteForceRenders(point.effort)) : fmt::format("{}", point.effort);
 }
 
 std::string fileName(const std::string& scene) {
@@ -75,18 +92,46 @@ std::string floorLine(const std::vector<SweepRow>& rows, const std::string& scen
 }
 
 std::string reportTable(const std::vector<SweepRow>& rows, const std::string& scene) {
-    std::string text = "| technique | spp | map | sample | build | lookup | shade | total ms (low to high) | RMSE | bias | noise | off by > 30/255 | disagree | GPU MiB |\n"
-                       "| --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |\n";
+    const SweepRow* varied = variedRow(rows, scene);
+    const std::vector<std::string> parts = partsOf(rows, scene);
+    std::string head = "| technique |", rule = "| --- |";
+    const auto column = [&](const std::string& name) {
+        head += " " + name + " |";
+        rule += " --: |";
+    };
+    if (varied != nullptr) column(varied->point.varied);
+    for (const char* name : {"spp", "map", "sample", "build", "lookup", "shade"}) column(name);
+    for (const std::string& part : parts) column(part);
+    for (const char* name : {"total ms (low to high)", "RMSE", "bias", "noise", "off by > 30/255", "disagree", "technique MiB", "GPU MiB"}) column(name);
+    std::string text = head + "\n" + rule + "\n";
     for (const SweepRow& row : rows) {
         if (row.point.scene != scene) continue;
         const Timing total = stepOf(row, "total");
-        text += fmt::format("| {} | {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} ({:.1f} to {:.1f}) | {:.5f} | {:.5f} | {:.5f} | {:.2f} % | {:.0f} ppm | {:.1f} |\n",
-                            row.point.technique, effortLabel(row.point), row.point.technique == "embree" ? "-" : fmt::format("{}", row.point.mapSize),
-                            stepOf(row, "sample").median, stepOf(row, "build").median, stepOf(row, "lookup").median, stepOf(row, "shade").median,
-                            total.median, total.low, total.high, row.error.rmse, row.biasAndNoise.bias, row.biasAndNoise.noise,
-                            100.0 * row.error.offBy30.value_or(0.0), row.verification.ppm(), static_cast<double>(row.bytes) / 1048576.0);
+        text += fmt::format("| {} |", row.point.technique);
+        if (varied != nullptr) text += fmt::format(" {:g} |", row.point.variedValue);
+        text += fmt::format(" {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |", effortLabel(row.point),
+                            row.point.technique == "embree" ? "-" : fmt::format("{}", row.point.mapSize), stepOf(row, "sample").median,
+                            stepOf(row, "build").median, stepOf(row, "lookup").median, stepOf(row, "shade").median);
+        for (const std::string& part : parts) text += row.steps.count(part) > 0 ? fmt::format(" {:.1f} |", stepOf(row, part).median) : " |";
+        text += fmt::format(" {:.1f} ({:.1f} to {:.1f}) | {:.5f} | {:.5f} | {:.5f} | {:.2f} % | {:.0f} ppm | {:.1f} | {:.1f} |\n", total.median, total.low, total.high,
+                            row.error.rmse, row.biasAndNoise.bias, row.biasAndNoise.noise, 100.0 * row.error.offBy30.value_or(0.0),
+                            row.verification.ppm(), static_cast<double>(row.techniqueBytes) / 1048576.0, static_cast<double>(row.bytes) / 1048576.0);
     }
     return text;
+}
+
+/// What the techniques counted, a line for each row that counted anything.
+std::string figureLines(const std::vector<SweepRow>& rows, const std::string& scene) {
+    std::string text;
+    for (const SweepRow& row : rows) {
+        if (row.point.scene != scene || row.figures.empty()) continue;
+        text += fmt::format("- `{}`:", row.point.key());
+        for (const TechniqueFigure& figure : row.figures)
+            text += fmt::format("{} {} {:.10g}{}{}", &figure == &row.figures.front() ? "" : ",", figure.name, figure.value, figure.unit.empty() ? "" : " " + figure.unit,
+                                figure.warning.empty() ? "" : " (" + figure.warning + ")");
+        text += "\n";
+    }
+    return text.empty() ? "" : "Counted:\n\n" + text + "\n";
 }
 
 std::string report(const SweepManifest& manifest, const std::vector<SweepRow>& rows) {
@@ -100,8 +145,14 @@ std::string report(const SweepManifest& manifest, const std::vector<SweepRow>& r
                         manifest.commandLine, manifest.device.renderer, manifest.backEnd, manifest.processor, manifest.commit);
     for (const std::string& scene : scenesOf(rows)) {
         const std::string name = fileName(scene);
-        text += fmt::format("## {}\n\n![error against milliseconds]({}-error.png)\n\n![disagreement against milliseconds]({}-disagreement.png)\n\n", scene, name, name);
-        text += reportTable(rows, scene) + "\n";
+        const SweepRow* varied = variedRow(rows, scene);
+        if (varied != nullptr)
+            text += fmt::format("## {0} against {1}\n\n![time against {1}]({2}-time.png)\n\n![memory against {1}]({2}-memory.png)\n\n"
+                                "![disagreement against {1}]({2}-disagreement.png)\n\n", scene, varied->point.varied, name);
+        else
+            text += fmt::format("## {}\n\n![error against milliseconds]({}-error.png)\n\n![disagreement against milliseconds]({}-disagreement.png)\n\n", scene, name, name);
+        text += reportTable(rows, scene) + "\n" + figureLines(rows, scene);
+        if (varied != nullptr) continue;
         std::set<std::string> seen;
         for (const SweepRow& row : rows)
             if (row.point.scene == scene && seen.insert(row.point.technique).second) text += floorLine(rows, scene, row.point.technique);
@@ -133,11 +184,46 @@ Chart sweepChart(const std::vector<SweepRow>& rows, const std::string& scene, Ch
     return chart;
 }
 
+Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, VariedChartOf what, bool softwareRenderer) {
+    Chart chart;
+    const SweepRow* varied = variedRow(rows, scene);
+    if (varied == nullptr) return chart;
+    const std::string key = varied->point.varied;
+    std::set<int> efforts;
+    for (const SweepRow& row : rows)
+        if (row.point.scene == scene) efforts.insert(row.point.effort);
+    const std::string samples = efforts.size() == 1 ? fmt::format(", {} samples per pixel", *efforts.begin()) : "";
+    const char* noun = what == VariedChartOf::Time ? "time" : what == VariedChartOf::Memory ? "memory" : "wrong shadow answers";
+    chart.title = fmt::format("{}: {} against {}", scene, noun, key);
+    chart.subtitle = what == VariedChartOf::Time     ? "building and lookup of the technique, medians" + samples
+                     : what == VariedChartOf::Memory ? "what the technique itself holds" + samples
+                                                     : "camera samples whose lit differs from the ray-traced truth" + samples;
+    chart.xLabel = key;
+    chart.yLabel = what == VariedChartOf::Time     ? (softwareRenderer ? "milliseconds (software renderer, wall time)" : "milliseconds (GPU)")
+                   : what == VariedChartOf::Memory ? "MiB"
+                                                   : "disagreement (ppm)";
+    for (const SweepRow& row : rows) {
+        if (row.point.scene != scene) continue;
+        if (what == VariedChartOf::Memory && row.point.technique == "embree") continue;  // it holds none on the device
+        const std::string name = curveName(rows, row.point) + (efforts.size() > 1 ? fmt::format(", {} spp", row.point.effort) : "");
+        auto series = std::find_if(chart.series.begin(), chart.series.end(), [&](const ChartSeries& s) { return s.name == name; });
+        if (series == chart.series.end()) series = chart.series.insert(series, {name, {}});
+        const double y = what == VariedChartOf::Time     ? stepOf(row, "build").median + stepOf(row, "lookup").median
+                         : what == VariedChartOf::Memory ? static_cast<double>(row.techniqueBytes) / 1048576.0
+                                                         : row.verification.ppm();
+        series->points.push_back({row.point.variedValue, y, ""});
+    }
+    return chart;
+}
+
 std::string sweepCsv(const std::vector<SweepRow>& rows) {
     std::string text = "scene,technique,spp,map";
     for (const std::string& step : steps) text += fmt::format(",{}_ms,{}_ms_low,{}_ms_high", step, step, step);
     text += ",rmse,relative_mse,psnr,mean_absolute,p999,off_by_30,bias,noise,mean_error,samples,tested,shadowed,disagree,false_shadow,false_lit,marginal,ppm,"
-            "primary_tested,primary_disagree,primary_marginal,bytes,technique_bytes\n";
+            "primary_tested,primary_disagree,primary_marginal,bytes,technique_bytes,varied,value";
+    const std::vector<std::string> parts = partsOf(rows, "");
+    for (const std::string& part : parts) text += fmt::format(",{}_ms,{}_ms_low,{}_ms_high", part, part, part);
+    text += "\n";
     for (const SweepRow& row : rows) {
         text += fmt::format("{},{},{},{}", row.point.scene, row.point.technique, row.point.effort, row.point.mapSize);
         for (const std::string& step : steps) {
@@ -148,19 +234,35 @@ std::string sweepCsv(const std::vector<SweepRow>& rows) {
         text += fmt::format(",{},{},{},{},{},{},{},{},{}", e.rmse, e.relativeMse, e.psnr, e.meanAbsolute, e.p999, e.offBy30.value_or(0.0),
                             row.biasAndNoise.bias, row.biasAndNoise.noise, row.biasAndNoise.meanError);
         const Verification& v = row.verification;
-        text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{}\n", v.samples, v.tested, v.shadowed, v.disagree(), v.falseShadow, v.falseLit,
+        text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{}", v.samples, v.tested, v.shadowed, v.disagree(), v.falseShadow, v.falseLit,
                             v.marginal, v.ppm(), v.primaryTested, v.primaryDisagree, v.primaryMarginal, row.bytes, row.techniqueBytes);
+        text += row.point.varied.empty() ? ",," : fmt::format(",{},{}", row.point.varied, row.point.variedValue);
+        for (const std::string& part : parts) {
+            const Timing timing = stepOf(row, part);
+            text += row.steps.count(part) > 0 ? fmt::format(",{},{},{}", timing.median, timing.low, timing.high) : ",,,";
+        }
+        text += "\n";
     }
     return text;
 }
 
 void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& manifest, const std::vector<SweepRow>& rows) {
     const std::vector<std::string> scenes = scenesOf(rows);
+    const bool software = manifest.device.software;
     for (const std::string& scene : scenes) {
-        const DisplayImage error = drawChart(sweepChart(rows, scene, ChartOf::Error, manifest.device.software), 1200, 800);
+        if (variedRow(rows, scene) != nullptr) {
+            const auto draw = [&](VariedChartOf what) { return drawChart(variedChart(rows, scene, what, software), 1200, 800); };
+            const DisplayImage time = draw(VariedChartOf::Time);
+            writePng(folder / (fileName(scene) + "-time.png"), time);
+            writePng(folder / (fileName(scene) + "-memory.png"), draw(VariedChartOf::Memory));
+            writePng(folder / (fileName(scene) + "-disagreement.png"), draw(VariedChartOf::Disagreement));
+            if (scene == scenes.front()) writePng(folder / "accuracy.png", time);
+            continue;
+        }
+        const DisplayImage error = drawChart(sweepChart(rows, scene, ChartOf::Error, software), 1200, 800);
         writePng(folder / (fileName(scene) + "-error.png"), error);
         writePng(folder / (fileName(scene) + "-disagreement.png"),
-                 drawChart(sweepChart(rows, scene, ChartOf::Disagreement, manifest.device.software), 1200, 800));
+                 drawChart(sweepChart(rows, scene, ChartOf::Disagreement, software), 1200, 800));
         if (scene == scenes.front()) writePng(folder / "accuracy.png", error);
     }
     nlohmann::ordered_json json;

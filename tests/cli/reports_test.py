@@ -82,6 +82,22 @@ class Lists(ProgramTest):
         self.assertEqual(self.shot("cubes", "again.png", *QUICK, "--settings", "s.json", "--set", "cubes.count=500"), usual)
         self.assertNotEqual(self.shot("cubes", "seed.png", *QUICK, "--set", "cubes.seed=2"), usual)
 
+    def test_views_and_figures_of_a_technique(self):
+        arguments = ("--technique", "exact", "--set", "cubes.count=40", *QUICK)
+        final = Picture(self.shot("cubes", "final.png", *arguments))
+        view = Picture(self.shot("cubes", "view.png", *arguments, "--view", "candidates", "--json", "view.json"))
+        self.assertEqual((view.width, final.height), (final.width, 48))
+        self.assertGreater(view.height, final.height + 20, "a scale stands below")
+        report = json.loads((self.folder / "view.json").read_text())
+        self.assertEqual([f["value"] for f in report["figures"] if f["name"] == "moving triangles"], [480])
+        text = self.succeed("shot", "cubes", "-o", "again.png", *arguments, "--explain")
+        self.assertIn("counted   moving triangles: 480\n", text)
+        # The values themselves, not their colours: counts per sample, the same in all channels.
+        self.assertNotEqual(self.shot("cubes", "view.exr", *arguments, "--view", "candidates"), self.shot("cubes", "final.exr", *arguments))
+        self.refuse(2, ("--view candidates", "tsm", "none of its own"), "shot", "cubes", "-o", "F.png", "--view", "candidates",
+                    leaves=self.files())
+        self.refuse(2, ("--view candidates", "pictures"), "verify", "cubes", *arguments, "--view", "candidates", leaves=self.files())
+
     def test_the_camera_path(self):
         still, path = (self.shot("frusta", f"{camera}.png", *QUICK, "--camera", camera, "--frame", 60) for camera in ("still", "path"))
         self.assertNotEqual(still, path)

@@ -11,6 +11,8 @@
 #include "measure/chart_layout.h"
 #include "measure/sweep_journal.h"
 #include "measure/sweep_report.h"
+#include "measure/technique_variant.h"
+#include "scene/error.h"
 
 namespace timeshade {
 
@@ -18,7 +20,7 @@ namespace {
 
 SweepRow makeRow(const std::string& technique, int effort, double milliseconds, double rmse, std::uint64_t wrong) {
     SweepRow row;
-    row.point = {"chess", technique, effort, 512};
+    row.point = {"chess", technique, effort, 512, "", 0.0};
     row.steps["total"] = {milliseconds, milliseconds - 1.0, milliseconds + 1.0};
     row.steps["build"] = {milliseconds / 3.0, 0.1, 7.0};
     row.error.rmse = rmse;
@@ -44,6 +46,7 @@ std::vector<std::vector<std::string>> tableOf(const std::string& csv) {
         table.emplace_back();
         std::istringstream cells(line);
         for (std::string cell; std::getline(cells, cell, ',');) table.back().push_back(cell);
+        if (line.ends_with(',')) table.back().emplace_back();
     }
     return table;
 }
@@ -104,8 +107,78 @@ TEST(SweepReport, FilesAreWrittenWithTheirManifest) {
     EXPECT_NE(text.find("| tsm | 4 | 512 |"), std::string::npos);
 }
 
+/// Two values of a varied setting, a technique and a variant of it, one of them with a part of a step and a figure.
+std::vector<SweepRow> makeVariedRows() {
+    std::vector<SweepRow> rows;
+    for (const double value : {1000.0, 2000.0})
+        for (const std::string technique : {"tsm", "tsm:bias=2:dynamic_bias=on"}) {
+            SweepRow row = makeRow(technique, 8, value / 100.0, 0.01, 50);
+            row.point.scene = "cubes";
+            row.point.varied = "cubes.count";
+            row.point.variedValue = value;
+            row.techniqueBytes = static_cast<std::size_t>(value) << 20;
+            if (technique != "tsm") {
+                row.steps["build/collect"] = {value / 1000.0, 0.5, 3.0};
+                row.figures = {{"entries", 1e7 + value, "", ""}, {"odd lists", 3.0, "texels", "near plane"}};
+            }
+            rows.push_back(row);
+        }
+    return rows;
+}
+
+TEST(SweepReport, VariedSettingsAreTheHorizontalAxis) {
+    const std::vector<SweepRow> rows = makeVariedRows();
+    const Chart time = variedChart(rows, "cubes", VariedChartOf::Time, true), memory = variedChart(rows, "cubes", VariedChartOf::Memory, true);
+    ASSERT_EQ(time.series.size(), 2u);
+    EXPECT_EQ(time.xLabel, "cubes.count");
+    EXPECT_EQ(time.series[1].name, "tsm:bias=2:dynamic_bias=on");
+    ASSERT_EQ(time.series[1].points.size(), 2u);
+    EXPECT_EQ(time.series[1].points[1].x, 2000.0);
+    EXPECT_DOUBLE_EQ(time.series[1].points[1].y, 20.0 / 3.0) << "build and lookup";
+    EXPECT_EQ(memory.series[0].points[0].y, 1000.0);
+}
+
+TEST(SweepReport, PartsAndVariedValuesHaveColumns) {
+    const std::vector<SweepRow> rows = makeVariedRows();
+    const auto table = tableOf(sweepCsv(rows));
+    EXPECT_EQ(table[3][columnOf(table[0], "varied")], "cubes.count");
+    EXPECT_EQ(table[3][columnOf(table[0], "value")], "2000");
+    EXPECT_EQ(table[4][columnOf(table[0], "build/collect_ms")], "2");
+    const Folder folder;
+    writeSweepReport(folder.path, {}, rows);
+    for (const char* name : {"cubes-time.png", "cubes-memory.png", "cubes-disagreement.png", "accuracy.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path / name)) << name;
+    std::ifstream report(folder.path / "report.md");
+    const std::string text{std::istreambuf_iterator<char>(report), {}};
+    for (const char* part : {"| technique | cubes.count | spp |", "| build/collect |", "| tsm | 2000 | 8 | 512 |", "odd lists 3 texels (near plane)", "entries 10001000"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(SweepReport, VariantsAreTechniquesWithSettings) {
+    gl::ProgramCache programs;
+    const auto value = [](Technique& technique, const std::string& key) {
+        for (const Setting& setting : settingsOf(technique))
+            if (setting.key == key) return setting.get();
+        return -1.0;
+    };
+    const TechniqueVariant variant = TechniqueVariant::of("tsm:bias=2:dynamic_bias=on");
+    EXPECT_EQ(variant.name, "tsm");
+    const std::unique_ptr<Technique> technique = variant.make({{"tsm.bias", "3"}, {"tsm.slope_bias", "1.5"}, {"static.bias", "7"}}, programs);
+    EXPECT_EQ(value(*technique, "bias"), 2.0) << "its own settings come last";
+    EXPECT_EQ(value(*technique, "dynamic_bias"), 1.0);
+    EXPECT_EQ(value(*TechniqueVariant::of("tsm").make({{"tsm.bias", "3"}}, programs), "bias"), 3.0);
+    for (const char* wrong : {"tsm:bias", "tsm:=2", "tsm:bias=much", "tsm:nonsense=1", "nonsense:bias=2", ":bias=2", ""})
+        EXPECT_THROW(TechniqueVariant::of(wrong).make({}, programs), UsageError) << wrong;
+}
+
 TEST(SweepJournal, RowsSurviveTheWayThroughJson) {
     for (const SweepRow& row : makeRows()) EXPECT_EQ(rowAsJson(rowFromJson(rowAsJson(row))), rowAsJson(row));
+    for (const SweepRow& row : makeVariedRows()) {
+        const SweepRow back = rowFromJson(rowAsJson(row));
+        EXPECT_EQ(rowAsJson(back), rowAsJson(row));
+        EXPECT_EQ(back.point.key(), row.point.key());
+        EXPECT_EQ(back.figures.size(), row.figures.size());
+    }
 }
 
 TEST(SweepJournal, GoesOnWhereItWasAndDropsALineThatIsCutOff) {

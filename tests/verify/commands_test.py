@@ -85,6 +85,37 @@ class Measure(unittest.TestCase):
                 self.assertEqual(before["error"], after["error"])
                 self.assertEqual(before["verify"], after["verify"])
 
+    def test_varied_settings_and_variants(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("measure", "-o", folder, "--vary", "cubes.count=20,60", "--techniques", "tsm,tsm:bias=4", "--spp", "2", "--rounds", "2",
+                         "--reference", "16", "--size", "64x48", "--map", "64", cache=os.path.join(folder, "cache"))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            with open(os.path.join(folder, "accuracy.csv"), newline="", encoding="utf-8") as stream:
+                rows = list(csv.DictReader(stream))
+            self.assertEqual([(r["scene"], r["varied"], r["value"], r["technique"], r["spp"]) for r in rows],
+                             [("cubes", "cubes.count", v, t, "2") for v in ("20", "60") for t in ("tsm", "tsm:bias=4")])
+            self.assertNotEqual(rows[0]["rmse"], rows[1]["rmse"])
+            for name in ("cubes-time.png", "cubes-memory.png", "cubes-disagreement.png"):
+                self.assertTrue(os.path.exists(os.path.join(folder, name)), name)
+            with open(os.path.join(folder, "accuracy.json"), encoding="utf-8") as stream:
+                report = json.load(stream)
+            self.assertIn("240 of 368 triangles move", " ".join(report["manifest"]["plans"]["cubes cubes.count=20"]))
+            self.assertEqual(report["rows"][2]["varied"], {"key": "cubes.count", "value": 60})
+            self.assertEqual(report["rows"][0]["figures"], [])
+            self.assertIn("tsm:bias=4.bias = 4", report["manifest"]["settings"])
+
+    def test_wrong_variations(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for arguments, words in ((("--vary", "cubes.count=0,5"), ("cubes.count=0", "expected")), (("--vary", "cubes.count="), ("expected",)),
+                                     (("--vary", "chess.count=5"), ("chess", "expected")), (("--vary", "cubes.nonsense=5"), ("nonsense", "expected")),
+                                     (("chess", "--vary", "cubes.count=5"), ("cubes",)), (("--techniques", "tsm:bias"), ("tsm:bias", "expected")),
+                                     (("--techniques", "tsm:nonsense=5"), ("nonsense", "expected")), (("--techniques", "tsm:bias=-5"), ("bias", "expected"))):
+                result = run("measure", *arguments, "-o", folder)
+                self.assertEqual(result.returncode, 2, arguments)
+                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+                for word in words:
+                    self.assertIn(word, result.stderr)
+
     def test_unknown_technique(self):
         with tempfile.TemporaryDirectory() as folder:
             result = run("measure", "chess", "-o", folder, "--techniques", "tsm,magic")

@@ -100,6 +100,38 @@ class Settings(WindowTest):
         self.assertEqual(window.settle()["state"]["picture"], "complete")
         self.close(window)
 
+    def test_a_computed_scene_is_built_anew(self):
+        window = self.open("cubes", "--technique", "exact", *QUICK, "--set", "cubes.count=40")
+        window.settle(scene="cubes")
+        before = window.look_at_picture()
+        self.assertEqual(window.widget("cubes.count")["value"], 40)
+        self.assertGreater(window.drag_slider("cubes.count", 0.75), 400)
+        self.assertGreater(window.look_at_picture().share_different(before), 0.02)
+        # Another scene and back: the settings are as they were left.
+        count = window.widget("cubes.count")["value"]
+        window.choose("scene", "sphere")
+        window.settle(scene="sphere")
+        window.choose("scene", "cubes")
+        window.settle(scene="cubes")
+        self.assertEqual(window.widget("cubes.count")["value"], count)
+        self.close(window)
+
+    def test_a_view_of_the_technique(self):
+        window = self.open("cubes", "--technique", "exact", *QUICK, "--set", "cubes.count=40")
+        window.settle(view="final")
+        before = window.look_at_picture()
+        self.assertNotIn("view.scale", window.dump()["widgets"])
+        window.click("view.own/candidates")
+        window.settle(view="candidates")
+        window.reveal("view.scale")
+        window.reveal("view.scale")
+        self.assertGreater(window.look_at_picture().share_different(before), 0.2)
+        self.assertIn("480", window.widget("figure.moving triangles")["value"].replace(",", ""))
+        # A technique without it shows the picture.
+        window.key("1")
+        window.settle(technique="static", view="final")
+        self.close(window)
+
     def test_command_line(self):
         window = self.open("octopus", "--technique", "accumulation", "--frame", "12", "--view", "visibility", *QUICK)
         state = window.settle()["state"]
