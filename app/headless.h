@@ -8,6 +8,8 @@ namespace timeshade {
 int runShot(const Options& options);
 /// `timeshade pictures`: every built-in scene into a folder.
 int runPictures(const Options& options);
+/// `timeshade cases`: the matrix of techniques and hard cases. 1 where a verdict is wrong.
+int runCases(const Options& options);
 /// `timeshade list`.
 int runList(const Options& options);
 

@@ -31,6 +31,7 @@ void listAsJson() {
             for (const Setting& setting : settingsOf(*recipe)) entry["settings"].push_back(asJson(setting));
         json["scenes"].push_back(entry);
     }
+    for (const BuiltInScene& scene : caseScenes()) json["cases"].push_back({{"name", scene.name}, {"summary", scene.summary}});
     gl::ProgramCache programs;
     for (const TechniqueDescription& description : techniqueDescriptions()) {
         nlohmann::ordered_json technique{{"name", description.name},
@@ -61,6 +62,8 @@ void listAsText() {
         if (const std::unique_ptr<SceneRecipe> recipe = makeRecipe(scene.name))
             for (const Setting& setting : settingsOf(*recipe)) listSetting(scene.name, setting);
     }
+    fmt::print("\nhard cases with exact answers, as scenes\n");
+    for (const BuiltInScene& scene : caseScenes()) fmt::print("  {}\n      {}\n", scene.name, scene.summary);
     fmt::print("\ntechniques, and their settings for --set\n");
     gl::ProgramCache programs;
     for (const TechniqueDescription& description : techniqueDescriptions()) {

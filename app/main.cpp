@@ -22,6 +22,7 @@ int run(const timeshade::Options& options) {
     case timeshade::Command::Shot: return timeshade::runShot(options);
     case timeshade::Command::Pictures: return timeshade::runPictures(options);
     case timeshade::Command::Measure: return timeshade::runMeasure(options);
+    case timeshade::Command::Cases: return timeshade::runCases(options);
     case timeshade::Command::Verify: return timeshade::runVerify(options);
     case timeshade::Command::List: return timeshade::runList(options);
     }

@@ -207,6 +207,24 @@ void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::ve
     app.add_option("--settings", "JSON file of these options; the command line wins");
 }
 
+/// What the measurement of hard cases leaves open.
+void addCaseOptions(CLI::App& app, Options& options, std::vector<std::string>& settings) {
+    const auto last = CLI::MultiOptionPolicy::TakeLast;
+    app.add_option("--spp", options.samplesPerPixel, "camera samples per pixel, one per stratum of the shutter")
+        ->check(numberFrom(1, maximumSamplesPerPixel))->multi_option_policy(last);
+    app.add_option("--map", options.mapSize, "texels along a side of the light's map (default: 512)")
+        ->check(numberFrom(minimumMapSize, maximumMapSize))->multi_option_policy(last);
+    app.add_option("--context", options.context.kind, "auto, window, egl, osmesa")
+        ->transform(oneOf<ContextKind>({{"auto", ContextKind::Auto}, {"window", ContextKind::Window},
+                                        {"egl", ContextKind::Egl}, {"osmesa", ContextKind::OsMesa}}))
+        ->multi_option_policy(last);
+    app.add_option("--device", options.context.device, "number of an EGL device (list --devices)")
+        ->check(numberFrom(0, 1000))->multi_option_policy(last);
+    app.add_option("--set", settings, "TECHNIQUE.KEY=VALUE, repeatable (list shows the keys)")->allow_extra_args(false);
+    app.add_option("--json", options.json, "write the matrix as JSON; - prints it")->check(notEmpty("a file name"))->multi_option_policy(last);
+    app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of, and on a NaN or an infinity in any buffer");
+}
+
 /// Replaces every `--settings F` by what the file says, right behind the command's name; of two files the later wins.
 std::vector<std::string> withSettingsFiles(const std::vector<std::string>& arguments) {
     std::vector<std::string> ofFiles, others;
@@ -226,7 +244,7 @@ std::vector<std::string> withSettingsFiles(const std::vector<std::string>& argum
 
 /// `timeshade` alone and `timeshade chess` mean the window.
 void addDefaultCommand(std::vector<std::string>& arguments) {
-    const std::vector<std::string> commands{"view", "shot", "pictures", "verify", "measure", "list"};
+    const std::vector<std::string> commands{"view", "shot", "pictures", "verify", "measure", "cases", "list"};
     const bool asks = !arguments.empty() && (arguments.front() == "--help" || arguments.front() == "-h" || arguments.front() == "--version");
     if (asks) return;
     const bool known = !arguments.empty() && std::find(commands.begin(), commands.end(), arguments.front()) != commands.end();
@@ -285,10 +303,16 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     measure->add_option("--reference", options.referenceSamples, "samples per pixel of the reference")->check(numberFrom(1, 65536));
     addFrameOptions(*measure, options, size, settings, viewName);
 
+    CLI::App* cases = app.add_subcommand("cases", "hard cases with exact answers: every technique's truth on each");
+    cases->add_option("-o,--output", options.output, "F.png: the matrix as a picture");
+    cases->add_option("--technique,--techniques", options.measuredTechniques, "names, as in static,tsm (default: all)")->delimiter(',');
+    addCaseOptions(*cases, options, settings);
+
     CLI::App* list = app.add_subcommand("list", "scenes, techniques and their settings");
     list->add_flag("--json", options.listAsJson, "as JSON");
     list->add_flag("--devices", options.listDevices, "the EGL devices of this machine");
 
+    if (!arguments.empty() && arguments.front() == "cases") options.mapSize = 512;
     std::reverse(arguments.begin(), arguments.end());  // what CLI11 expects of a vector
     try {
         app.parse(arguments);
@@ -297,7 +321,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + " (timeshade --help)");
     }
-    options.command = measure->parsed() ? Command::Measure : verify->parsed() ? Command::Verify : view->parsed() ? Command::View : shot->parsed() ? Command::Shot : pictures->parsed() ? Command::Pictures : Command::List;
+    options.command = cases->parsed() ? Command::Cases : measure->parsed() ? Command::Measure : verify->parsed() ? Command::Verify : view->parsed() ? Command::View : shot->parsed() ? Command::Shot : pictures->parsed() ? Command::Pictures : Command::List;
     if (options.command == Command::Measure) {  // small enough to sweep on a software renderer
         options.width = 320;
         options.height = 240;
@@ -308,6 +332,8 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
         if (spps->count() == 0) options.measuredEfforts = {options.samplesPerPixel};
     }
     for (const std::string& setting : settings) parseSetting(setting, options);
+    if (options.command == Command::Cases && !options.output.empty() && !options.output.ends_with(".png"))
+        throw UsageError(fmt::format("-o {}: expected a name that ends in .png", options.output));
     if (options.command == Command::Shot) {
         const std::string& path = options.output;
         const bool known = path.size() > 4 && (path.ends_with(".png") || path.ends_with(".exr"));

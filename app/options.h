@@ -11,7 +11,7 @@
 
 namespace timeshade {
 
-enum class Command { View, Shot, Pictures, Verify, Measure, List };
+enum class Command { View, Shot, Pictures, Verify, Measure, Cases, List };
 
 /// Pictures of what is wrong with a picture: for `shot` alone.
 enum class Diagnostic { None, Error, Disagreement };

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/closed_form_cases.h"
 #include "scene/error.h"
 #include "scene/gltf_scene.h"
 
@@ -30,6 +31,16 @@ const std::vector<BuiltInScene>& builtInScenes() {
     return scenes;
 }
 
+const std::vector<BuiltInScene>& caseScenes() {
+    static const std::vector<BuiltInScene> scenes = [] {
+        std::vector<BuiltInScene> all;
+        for (const ClosedFormCase& c : closedFormCases())
+            if (c.scene) all.push_back({"case:" + c.name, fmt::format("{}; lit {:.7g}; hard for: {}", c.motion, c.exact, c.breaks)});
+        return all;
+    }();
+    return scenes;
+}
+
 std::vector<BuiltInScene> showcase() {
     std::vector<BuiltInScene> scenes;
     for (const BuiltInScene& scene : builtInScenes())
@@ -47,6 +58,11 @@ std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTex
 }
 
 std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings) {
+    if (nameOrPath.starts_with("case:")) {
+        const ClosedFormCase& c = closedFormCase(nameOrPath.substr(5));
+        if (!c.scene) throw UsageError(fmt::format("scene '{}': this case has no picture; `timeshade cases` evaluates it", nameOrPath));
+        return std::make_unique<ProceduralScene>(*c.scene);
+    }
     if (const std::unique_ptr<SceneRecipe> recipe = recipeFor(nameOrPath, settings)) {
         if (!clip.empty()) throw Error(fmt::format("--clip {}: scene {} is computed and has no clips", clip, nameOrPath));
         return recipe->make();
@@ -59,7 +75,7 @@ std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::strin
         known += scene.name + ", ";
     }
     const bool isPath = nameOrPath.ends_with(".gltf") || nameOrPath.ends_with(".glb") || nameOrPath.find('/') != std::string::npos;
-    if (!isPath) throw UsageError(fmt::format("scene '{}': no such scene; expected {}or a path to a .gltf or .glb file", nameOrPath, known));
+    if (!isPath) throw UsageError(fmt::format("scene '{}': no such scene; expected {}case:NAME or a path to a .gltf or .glb file", nameOrPath, known));
     return loadGltf(nameOrPath, options);
 }
 

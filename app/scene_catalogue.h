@@ -22,13 +22,16 @@ using SettingTexts = std::vector<std::pair<std::string, std::string>>;
 /// The scenes that come with the program: files under assets/scenes, read like any other, and the computed ones.
 const std::vector<BuiltInScene>& builtInScenes();
 
+/// The hard cases with exact answers that have a picture, named case:NAME. Made, not read from files.
+const std::vector<BuiltInScene>& caseScenes();
+
 /// The first look at the program, and what `measure` takes where no scene is named: those that are files.
 std::vector<BuiltInScene> showcase();
 
 /// The recipe of a computed scene with those of the settings that are its own; null for any other scene.
 std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTexts& settings);
 
-/// Loads or computes a built-in scene by its name, or loads a .gltf or .glb file by its path. Throws UsageError for a name
+/// Loads or computes a built-in scene or a case by its name, or loads a .gltf or .glb file by its path. Throws UsageError for a name
 /// that is neither, Error for a file that can't be read or that has no such clip.
 std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings = {});
 

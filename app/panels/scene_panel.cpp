@@ -8,6 +8,23 @@
 
 namespace timeshade {
 
+namespace {
+
+/// The hard cases, in a list of their own: there are many.
+void drawCaseList(Session& session, Widgets& widgets) {
+    std::vector<std::string> names{"hard cases"};
+    std::size_t current = 0;
+    for (const BuiltInScene& scene : caseScenes()) {
+        if (scene.name == session.sceneName) current = names.size();
+        names.push_back(scene.name);
+    }
+    if (const auto chosen = widgets.combo("scene.case", "", names, current, ""))
+        if (*chosen != current && *chosen > 0) session.wishedScene = names[*chosen];
+    if (current > 0) widgets.paragraph(caseScenes()[current - 1].summary, theme::quiet);
+}
+
+} // namespace
+
 void drawScenePanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.scene", "Scene", true)) return;
     std::vector<std::string> names;
@@ -17,6 +34,7 @@ void drawScenePanel(Session& session, Widgets& widgets) {
     if (!builtIn) names.push_back(std::filesystem::path(session.sceneName).filename().string());
     if (const auto chosen = widgets.combo("scene", "", names, current, ""))
         if (*chosen != current) session.wishedScene = names[*chosen];
+    drawCaseList(session, widgets);
     if (builtIn) widgets.paragraph(builtInScenes()[current].summary, theme::quiet);
     if (session.recipe != nullptr && drawSettings(*session.recipe, "scene.reset", widgets)) session.wishedRebuild = true;
 

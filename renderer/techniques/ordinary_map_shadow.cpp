@@ -15,6 +15,15 @@ void OrdinaryMapShadow::visitSettings(SettingsVisitor& visitor) {
                   "steps, costs that many tests.");
 }
 
+SamplingTraits OrdinaryMapShadow::samplingTraits(SamplingTraits::Times times, int instants) const {
+    SamplingTraits traits;
+    traits.times = times;
+    traits.instants = instants;
+    traits.texelCentres = true;
+    traits.biasTexels = static_cast<double>(bias_);
+    return traits;
+}
+
 float OrdinaryMapShadow::instantOf(const FramePlan& plan) {
     return plan.block.timeBase + 0.5f * static_cast<float>(plan.block.strata) * plan.block.timeScale;
 }

@@ -14,6 +14,8 @@ class OrdinaryMapShadow {
 
     /// Declares the settings of the test: bias, slope_bias, pcf_radius.
     void visitSettings(SettingsVisitor& visitor);
+    /// Those of one map looked at in the given way.
+    SamplingTraits samplingTraits(SamplingTraits::Times times, int instants) const;
     /// The instant of the plan's shutter (or of its one sample time) at which the map is drawn.
     static float instantOf(const FramePlan& plan);
     void build(const TechniqueFrame& frame);

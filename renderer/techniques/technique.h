@@ -11,6 +11,7 @@
 #include "passes/sample_buffer.h"
 #include "passes/visibility_buffer.h"
 #include "plan/frame_plan.h"
+#include "plan/sampling_traits.h"
 #include "settings/setting.h"
 
 namespace timeshade {
@@ -62,6 +63,8 @@ class Technique : public HasSettings {
     const std::string& settingsPrefix() const override { return description().name; }
     /// Why this plan can't be drawn, in words for the user; nothing if it can.
     virtual std::optional<std::string> unsupported(const FramePlan&) const { return std::nullopt; }
+    /// Where and when it looks for casters, with its settings as they are: what the named cases hold it to.
+    virtual SamplingTraits samplingTraits() const { return {}; }
     /// The passes that this technique adds to the plan's, each with its reason.
     virtual std::vector<PassDecision> passes(const FramePlan& plan) const = 0;
     /// How many times the whole frame is drawn, each time with all samples at one instant, and averaged. 1: drawn

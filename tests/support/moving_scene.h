@@ -3,7 +3,7 @@
 #include <memory>
 #include <random>
 
-#include "support/procedural_scene.h"
+#include "cases/procedural_scene.h"
 
 namespace timeshade {
 

@@ -36,12 +36,13 @@ const std::map<std::string, std::vector<std::string>> arrows{
     {"scenes", {"scenes/", "scene/", "settings/", "shared/"}},
     {"image", {"image/", "scene/error.h"}},
     {"plan", {"plan/", "scene/", "shared/"}},
+    {"cases", {"cases/", "plan/", "scene/", "shared/"}},
     {"oracle", {"oracle/", "plan/", "scene/", "shared/"}},
     {"gl", {"gl/", "scene/error.h", "shared/"}},
     {"passes", {"passes/", "gl/", "plan/", "scene/", "shared/"}},
     {"techniques", {"techniques/*", "passes/", "gl/", "plan/", "scene/", "settings/", "shared/"}},
     {"frame", {"frame/", "techniques/*", "passes/", "gl/", "plan/", "scene/", "image/", "shared/"}},
-    {"measure", {"measure/", "oracle/", "frame/", "techniques/*", "passes/", "gl/", "plan/", "scene/", "image/", "shared/"}},
+    {"measure", {"measure/", "oracle/", "cases/", "frame/", "techniques/*", "passes/", "gl/", "plan/", "scene/", "image/", "shared/"}},
 };
 
 /// Headers of libraries, by the beginning of their names, and the folders that may include them.

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "plan/light_motion.h"
-#include "support/procedural_scene.h"
+#include "cases/procedural_scene.h"
 
 namespace timeshade {
 namespace {

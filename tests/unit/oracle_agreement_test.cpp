@@ -13,7 +13,7 @@
 #include "oracle/oracle.h"
 #include "oracle/shadow_ruling.h"
 #include "scene/camera.h"
-#include "support/procedural_scene.h"
+#include "cases/procedural_scene.h"
 
 namespace timeshade {
 namespace {

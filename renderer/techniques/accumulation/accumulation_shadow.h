@@ -15,6 +15,7 @@ class AccumulationShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
+    SamplingTraits samplingTraits() const override { return shadow_.samplingTraits(SamplingTraits::Times::EvenInstants, renders_); }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     int renders() const override { return renders_; }
     void build(const TechniqueFrame& frame) override { shadow_.build(frame); }

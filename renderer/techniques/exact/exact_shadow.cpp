@@ -18,8 +18,7 @@ const TechniqueDescription& ExactShadow::describe() {
 void ExactShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.whole("side", side_, 0, 0, 1024, "cells",
                   "Cells along a side of the grid of lists; 0 lets a cost model choose a power of two up to --map. Changes time and "
-                  "memory, never the picture.",
-                  true);
+                  "memory, never the picture.");
     visitor.whole("buckets", buckets_, 0, 0, 32, "buckets",
                   "Pieces of the shutter with lists of their own; 0 lets a cost model choose. Fast casters want more. Changes time and "
                   "memory, never the picture.");

@@ -13,6 +13,7 @@ class StaticShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override { shadow_.visitSettings(visitor); }
+    SamplingTraits samplingTraits() const override { return shadow_.samplingTraits(SamplingTraits::Times::OneInstant, 1); }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override { shadow_.build(frame); }
     void lookup(const TechniqueFrame& frame) override { shadow_.lookup(frame); }

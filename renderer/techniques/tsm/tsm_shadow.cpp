@@ -24,6 +24,15 @@ void TsmShadow::visitSettings(SettingsVisitor& visitor) {
                    "2015, eq. 12). Ends the self-shadow; costs one more map of velocities.");
 }
 
+SamplingTraits TsmShadow::samplingTraits() const {
+    SamplingTraits traits;
+    traits.times = SamplingTraits::Times::RandomInStratum;
+    traits.texelCentres = true;
+    traits.movesDepth = dynamicBias_;
+    traits.biasTexels = static_cast<double>(bias_);
+    return traits;
+}
+
 std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {
     const std::size_t drawn = plan.light.smallTriangles.size() + plan.light.largeTriangles.size();
     return {{"build",

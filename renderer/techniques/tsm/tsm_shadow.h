@@ -18,6 +18,7 @@ class TsmShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
+    SamplingTraits samplingTraits() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
     void lookup(const TechniqueFrame& frame) override;

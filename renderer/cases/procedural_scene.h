@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,19 +16,27 @@ struct MovingQuad {
     glm::dvec3 close[4];
 };
 
+/// A triangle in world space, at both ends of the shutter.
+struct MovingCorners {
+    glm::dvec3 open[3];
+    glm::dvec3 close[3];
+};
+
 /// The rectangle [centre.x - halfX, centre.x + halfX] x [lowY, highY] at height centre.z, moving from a to b.
 MovingQuad slidingQuad(glm::dvec3 a, glm::dvec3 b, double halfX, double lowY, double highY);
 
-/// A scene made of quads with known motion, for tests with exact answers. One second of its time is one shutter:
-/// ask for it with frames per second 1, shutter 1, frame 0.
+/// A scene made of quads and triangles with known motion, for exact answers. One second of its time is one shutter: ask for
+/// it with frames per second 1, shutter 1, frame 0, which are its defaults. Quads come first: quad i is the triangles 2i and 2i + 1.
 class ProceduralScene final : public Scene {
   public:
     std::vector<MovingQuad> quads;
+    std::vector<MovingCorners> triangles;
     CameraPose cameraOpen, cameraClose;
+    std::optional<CameraPose> overview;  ///< a second camera, which stands still
     LightPose lightOpen, lightClose;
 
-    /// Call when the members above are set.
-    void finish();
+    /// Call when the members above are set. Named after what it shows.
+    void finish(std::string name = "procedural");
     /// The request that opens the shutter at u = 0 and closes it at u = 1.
     static FrameRequest request(int width, int height, int samplesPerPixel, int mapSize, std::uint32_t seed);
 
@@ -37,14 +46,14 @@ class ProceduralScene final : public Scene {
     const std::vector<Material>& materials() const override { return materials_; }
     const std::vector<Image>& images() const override { return images_; }
     const std::vector<CameraBookmark>& cameras() const override { return cameras_; }
-    CameraPose camera(std::size_t, double seconds) const override;
+    CameraPose camera(std::size_t index, double seconds) const override;
     LightPose light(double seconds) const override;
     MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
     const Bounds& bounds() const override { return bounds_; }
     const std::vector<std::string>& notes() const override { return notes_; }
 
   private:
-    std::string name_ = "procedural";
+    std::string name_;
     SceneDefaults defaults_{0.0, 1.0, 1.0};
     std::vector<Material> materials_{Material{}};
     std::vector<Image> images_;

@@ -1,4 +1,6 @@
-#include "support/procedural_scene.h"
+#include "cases/procedural_scene.h"
+
+#include <utility>
 
 namespace timeshade {
 
@@ -12,7 +14,9 @@ MovingQuad slidingQuad(glm::dvec3 a, glm::dvec3 b, double halfX, double lowY, do
     return quad;
 }
 
-void ProceduralScene::finish() {
+void ProceduralScene::finish(std::string name) {
+    name_ = std::move(name);
+    if (overview) cameras_ = {{"receiver"}, {"overview"}};
     auto topology = std::make_shared<MeshTopology>();
     for (std::uint32_t i = 0; i < quads.size(); ++i) {
         for (const glm::u32vec3 corner : {glm::u32vec3(0, 1, 2), glm::u32vec3(0, 2, 3)}) {
@@ -25,8 +29,18 @@ void ProceduralScene::finish() {
             bounds_.add(quads[i].close[c]);
         }
     }
-    topology->vertexCount = 4 * quads.size();
-    topology->instanceCount = quads.size();
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        const auto first = static_cast<std::uint32_t>(4 * quads.size()) + 3 * i;
+        topology->triangles.push_back(glm::u32vec3(first, first + 1, first + 2));
+        topology->triangleMaterials.push_back(0);
+        topology->triangleInstances.push_back(static_cast<std::uint32_t>(quads.size()) + i);
+        for (int c = 0; c < 3; ++c) {
+            bounds_.add(triangles[i].open[c]);
+            bounds_.add(triangles[i].close[c]);
+        }
+    }
+    topology->vertexCount = 4 * quads.size() + 3 * triangles.size();
+    topology->instanceCount = quads.size() + triangles.size();
     topology->textureCoordinates.resize(topology->vertexCount);
     topology_ = topology;
 }
@@ -42,7 +56,8 @@ FrameRequest ProceduralScene::request(int width, int height, int samplesPerPixel
     return request;
 }
 
-CameraPose ProceduralScene::camera(std::size_t, double seconds) const {
+CameraPose ProceduralScene::camera(std::size_t index, double seconds) const {
+    if (overview && index == 1) return *overview;
     CameraPose pose = cameraOpen;
     pose.eye = glm::mix(cameraOpen.eye, cameraClose.eye, seconds);
     if (seconds >= 0.5) pose.axes = cameraClose.axes;
@@ -58,16 +73,21 @@ LightPose ProceduralScene::light(double seconds) const {
 MotionMesh ProceduralScene::motionMesh(double openSeconds, double closeSeconds) const {
     MotionMesh mesh;
     mesh.topology = topology_;
-    for (const MovingQuad& quad : quads) {
-        const glm::vec3 normalOpen(glm::normalize(glm::cross(quad.open[1] - quad.open[0], quad.open[2] - quad.open[0])));
-        const glm::vec3 normalClose(glm::normalize(glm::cross(quad.close[1] - quad.close[0], quad.close[2] - quad.close[0])));
-        for (int c = 0; c < 4; ++c) {
-            mesh.positionsOpen.push_back(glm::mix(quad.open[c], quad.close[c], openSeconds));
-            mesh.positionsClose.push_back(glm::mix(quad.open[c], quad.close[c], closeSeconds));
-            mesh.normalsOpen.push_back(normalOpen);
-            mesh.normalsClose.push_back(normalClose);
+    const auto add = [&](const glm::dvec3* open, const glm::dvec3* close, int corners) {
+        // Shading alone wants normals; what has no area gets one that is as good as any.
+        const auto normal = [](const glm::dvec3* c) {
+            const glm::dvec3 n = glm::cross(c[1] - c[0], c[2] - c[0]);
+            return glm::length(n) > 0.0 ? glm::vec3(glm::normalize(n)) : glm::vec3(0.0f, 0.0f, 1.0f);
+        };
+        for (int c = 0; c < corners; ++c) {
+            mesh.positionsOpen.push_back(glm::mix(open[c], close[c], openSeconds));
+            mesh.positionsClose.push_back(glm::mix(open[c], close[c], closeSeconds));
+            mesh.normalsOpen.push_back(normal(open));
+            mesh.normalsClose.push_back(normal(close));
         }
-    }
+    };
+    for (const MovingQuad& quad : quads) add(quad.open, quad.close, 4);
+    for (const MovingCorners& triangle : triangles) add(triangle.open, triangle.close, 3);
     return mesh;
 }
 

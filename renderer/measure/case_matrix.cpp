@@ -1,0 +1,113 @@
+#include "measure/case_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/expectation.h"
+
+namespace timeshade {
+
+namespace {
+
+using Times = SamplingTraits::Times;
+
+/// No random number decides: what is looked at is the same whatever the seed.
+bool isDeterministic(const SamplingTraits& traits) { return traits.times == Times::OneInstant || traits.times == Times::EvenInstants; }
+
+/// Four standard errors of the mean of independent answers, one from each stratum at a time.
+double samplingTolerance(const ClosedFormCase& c, const SamplingTraits& traits, const Expectation& e, double answersPerStratum) {
+    if (isDeterministic(traits)) return 0.0;
+    double variance = 0.0;
+    for (const double lit : e.litOfStratum) variance += lit * (1.0 - lit);
+    const auto strata = static_cast<double>(e.litOfStratum.size());
+    // What an integration's steps pass over, samples may hit.
+    if (c.fleeting) variance += strata * c.exact * (1.0 - c.exact);
+    variance *= 1.0 / (c.seenTo - c.seenFrom);
+    return 4.0 * std::sqrt(variance / (strata * strata * answersPerStratum));
+}
+
+int picturesFor(const SamplingTraits& traits, double answersPerPicture) {
+    if (isDeterministic(traits)) return 1;
+    return std::clamp(static_cast<int>(std::ceil(100.0 / answersPerPicture)), 1, 64);
+}
+
+} // namespace
+
+const char* nameOf(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::Right: return "right";
+    case Verdict::Predicted: return "predicted";
+    case Verdict::Wrong: return "wrong";
+    case Verdict::NotTaken: return "-";
+    }
+    return "";
+}
+
+double measureLitShare(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort, int pictures) {
+    FramePlanner planner(*c.scene);
+    double lit = 0.0;
+    std::size_t samples = 0;
+    for (int picture = 0; picture < pictures; ++picture) {
+        technique.forget();
+        const auto seed = static_cast<std::uint32_t>(picture + 1);
+        renderer.begin(planner.plan(c.request(effort.samplesPerPixel, effort.mapSize, seed)), technique, View::Visibility);
+        for (bool complete = false; !complete;) {
+            complete = renderer.step();
+            const std::vector<std::uint32_t> ids = renderer.readSampleIds();
+            const std::vector<float> visibility = renderer.readVisibility();
+            for (std::size_t i = 0; i < ids.size(); ++i) {
+                if (ids[i] < c.firstReceiver || ids[i] >= c.firstReceiver + 2) continue;
+                lit += static_cast<double>(visibility[i]);
+                ++samples;
+            }
+        }
+    }
+    return samples > 0 ? lit / static_cast<double>(samples) : 0.0;
+}
+
+CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort) {
+    CaseResult result;
+    result.technique = technique.description().name;
+    result.caseName = c.name;
+    result.exact = c.exact;
+    if (c.kind != ClosedFormCase::Kind::Picture) {
+        result.reason = c.kind == ClosedFormCase::Kind::Numeric ? "evaluated without a picture" : "about sequences of frames";
+        return result;
+    }
+    FramePlanner planner(*c.scene);
+    if (const auto why = technique.unsupported(planner.plan(c.request(effort.samplesPerPixel, effort.mapSize, 1)))) {
+        result.reason = *why;
+        return result;
+    }
+    const SamplingTraits traits = technique.samplingTraits();
+    const double answers = independentAnswers(c, traits, effort.mapSize);
+    const int pictures = picturesFor(traits, answers);
+    result.value = measureLitShare(renderer, technique, c, effort, pictures);
+
+    const Expectation e = expectationOf(c, traits, effort.samplesPerPixel, effort.mapSize);
+    const double noise = samplingTolerance(c, traits, e, answers * pictures);
+    // Positions that are rounded once, and the patch's own width: its sides are reached by the shadow's ends a little apart.
+    double own = traits.statedError + 1e-4 + 0.05 * c.ends * c.patchWidth * (c.fleeting ? 0.0 : 1.0);
+    if (traits.times == Times::EvenInstants) own += 0.5 * std::min(c.ends, 4) / traits.instants;
+    result.tolerance = noise + own + (traits.times == Times::OneInstant ? 0.0 : e.resolution);
+    result.predicted = e.litShare;
+    result.predictedTolerance = noise + e.integration + own;
+    if (std::abs(result.error()) <= result.tolerance)
+        result.verdict = Verdict::Right;
+    else
+        result.verdict = std::abs(result.value - result.predicted) <= result.predictedTolerance ? Verdict::Predicted : Verdict::Wrong;
+    return result;
+}
+
+CaseResult runNumericCase(const ClosedFormCase& c) {
+    CaseResult result;
+    result.technique = "-";
+    result.caseName = c.name;
+    result.exact = result.predicted = c.exact;
+    result.value = c.evaluate();
+    result.tolerance = result.predictedTolerance = 1e-6;
+    result.verdict = std::abs(result.error()) <= result.tolerance ? Verdict::Right : Verdict::Wrong;
+    return result;
+}
+
+} // namespace timeshade

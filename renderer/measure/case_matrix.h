@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/closed_form_cases.h"
+#include "frame/frame_renderer.h"
+
+namespace timeshade {
+
+/// How a technique's answer to a hard case stands to the exact one.
+enum class Verdict {
+    Right,        ///< exact within the tolerance that follows from what the technique states about itself
+    Predicted,    ///< off, by as much as that says
+    Wrong,        ///< neither
+    NotTaken,     ///< the technique does not support the case, or the case is no picture
+};
+const char* nameOf(Verdict verdict);
+
+/// One cell of the matrix.
+struct CaseResult {
+    std::string technique;  ///< "-" for a numeric case
+    std::string caseName;
+    double exact = 0.0;
+    double value = 0.0;      ///< mean lit of the samples that see the receiver
+    double tolerance = 0.0;  ///< about exact
+    double predicted = 0.0;  ///< what the technique's traits say that it answers
+    double predictedTolerance = 0.0;
+    Verdict verdict = Verdict::NotTaken;
+    std::string reason;  ///< why it is not taken, in words
+
+    double error() const { return value - exact; }
+};
+
+struct CaseEffort {
+    int samplesPerPixel = 8;
+    int mapSize = 512;
+};
+
+/// Mean lit, over the samples that see the case's receiver, of `pictures` pictures with seeds from 1.
+double measureLitShare(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort, int pictures);
+
+/// Draws the case with the technique as it is set and judges it. As many pictures are drawn as leave no more noise than
+/// some hundredths.
+CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort);
+
+/// A case that no technique takes part in.
+CaseResult runNumericCase(const ClosedFormCase& c);
+
+} // namespace timeshade
