@@ -12,6 +12,7 @@
 
 #include "frame_setup.h"
 #include "scene/error.h"
+#include "scene_catalogue.h"
 #include "scenes/scene_recipe.h"
 #include "techniques/registry.h"
 #include "techniques/technique_views.h"
@@ -56,6 +57,18 @@ CLI::Validator oneOf(const std::vector<std::pair<std::string, Enum>>& words) {
             return fmt::format("'{}' given, expected one of {}", text, known);
         },
         "");
+}
+
+std::string scenesInWords() {
+    std::string names;
+    for (const BuiltInScene& scene : builtInScenes()) names += (names.empty() ? "" : ", ") + scene.name;
+    return names + ", or a .gltf or .glb file";
+}
+
+std::string techniquesInWords() {
+    std::string names;
+    for (const TechniqueDescription& technique : techniqueDescriptions()) names += (names.empty() ? "" : ", ") + technique.name;
+    return names;
 }
 
 void parseSize(const std::string& text, Options& options) {
@@ -172,7 +185,7 @@ void chooseView(const std::string& name, Options& options) {
 
 void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::vector<std::string>& settings, std::string& viewName) {
     const auto last = CLI::MultiOptionPolicy::TakeLast;
-    app.add_option("--technique", options.technique, "static, tsm, accumulation")->multi_option_policy(last);
+    app.add_option("--technique", options.technique, techniquesInWords())->multi_option_policy(last);
     app.add_option("--spp", options.samplesPerPixel, "camera samples per pixel, one per stratum of the shutter")
         ->check(numberFrom(1, maximumSamplesPerPixel))->multi_option_policy(last);
     app.add_option("--size", size, "WIDTHxHEIGHT of the picture")->check(notEmpty("WIDTHxHEIGHT"))->multi_option_policy(last);
@@ -270,11 +283,11 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     app.option_defaults()->delimiter('\0');
 
     CLI::App* view = app.add_subcommand("view", "open the window");
-    view->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file");
+    view->add_option("scene", options.scene, scenesInWords());
     addFrameOptions(*view, options, size, settings, viewName);
 
     CLI::App* shot = app.add_subcommand("shot", "draw a picture without a window");
-    shot->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file")->required();
+    shot->add_option("scene", options.scene, scenesInWords())->required();
     shot->add_option("-o,--output", options.output, "F.png or F.exr")->required();
     shot->add_option("--frames", options.frames, "number of frames to draw, one file each (F.0000.png, ...)")->check(numberFrom(1, 100000));
     addFrameOptions(*shot, options, size, settings, viewName);
@@ -284,7 +297,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     addFrameOptions(*pictures, options, size, settings, viewName);
 
     CLI::App* verify = app.add_subcommand("verify", "compare every camera sample with the ray-traced truth");
-    verify->add_option("scene", options.scene, "a built-in scene or a .gltf or .glb file")->required();
+    verify->add_option("scene", options.scene, scenesInWords())->required();
     verify->add_option("--dump", options.dump, "folder for the data itself: triangles.csv, light.csv, samples.csv");
     verify->add_option("--max-ppm", options.maxPpm, "exit with 3 if more samples in a million disagree")->check(CLI::Range(0.0, 1e6));
     addFrameOptions(*verify, options, size, settings, viewName);
