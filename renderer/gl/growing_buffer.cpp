@@ -31,7 +31,7 @@ void GrowingBuffer::reserve(std::size_t elements, const std::string& advice) {
                                 mebibytes(elements * each), elements, mebibytes(largestBlock), advice));
     if (elements > mostTexels)
         throw Error(fmt::format("'{}' needs {} entries; this device's GL_MAX_TEXTURE_BUFFER_SIZE is {}: {}", label_, elements, mostTexels, advice));
-    const std::size_t room = std::min({elements + elements / 8, largestBlock / each, mostTexels});
+    const std::size_t room = std::min({elements + elements / 32, largestBlock / each, mostTexels});
     view_.reset();
     buffer_.reset();  // first, so that both need not fit at once
     while (glGetError() != GL_NO_ERROR) {}

@@ -11,6 +11,11 @@ namespace timeshade {
 
 void CellLists::beginCount(std::size_t cells) {
     if (cells != cells_) {
+        GLint64 largest = 0;
+        glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
+        if ((cells + 1) * sizeof(GLuint) > static_cast<std::size_t>(largest))
+            throw Error(fmt::format("lists of {} cells need blocks of {} bytes; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {}: lower --map",
+                                    cells, (cells + 1) * sizeof(GLuint), largest));
         const std::size_t blocks = (cells + LIST_SCAN_BLOCK - 1) / LIST_SCAN_BLOCK;
         cursors_.emplace("list cursors", cells * sizeof(GLuint));
         offsets_.emplace("list offsets", (cells + 1) * sizeof(GLuint));
@@ -22,7 +27,7 @@ void CellLists::beginCount(std::size_t cells) {
     bindCursors();
 }
 
-std::size_t CellLists::scan() {
+std::size_t CellLists::scan(std::size_t multiple) {
     const auto blocks = static_cast<GLuint>((cells_ + LIST_SCAN_BLOCK - 1) / LIST_SCAN_BLOCK);
     bindCursors();
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST_OFFSETS_BINDING, offsets_->name());
@@ -33,6 +38,7 @@ std::size_t CellLists::scan() {
         program.use();
         glUniform1ui(0, static_cast<GLuint>(cells_));
         glUniform1ui(1, blocks);
+        glUniform1ui(2, static_cast<GLuint>(multiple));
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         glDispatchCompute(step == 1 ? 1 : blocks, 1, 1);
     }

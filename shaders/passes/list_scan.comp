@@ -12,6 +12,7 @@ layout(std430, binding = LIST_OFFSETS_BINDING) buffer ListOffsets { uint listOff
 layout(std430, binding = LIST_BLOCKS_BINDING) buffer ListBlocks { uint listBlocks[]; };
 layout(location = 0) uniform uint cells;
 layout(location = 1) uniform uint blocks;
+layout(location = 2) uniform uint multiple;  // every list has room for a multiple of so many
 
 shared uint sums[GROUP];
 
@@ -19,6 +20,8 @@ uint plus(uint a, uint b) {
     uint sum = a + b;
     return sum < a ? 0xffffffffu : sum;
 }
+
+uint roomFor(uint count) { return plus(count, multiple - 1u) / multiple * multiple; }
 
 // Sum over the threads before this one (Hillis and Steele 1986); `total` over all.
 uint exclusiveOverGroup(uint value, out uint total) {
@@ -53,14 +56,14 @@ void main() {
     uint first = gl_WorkGroupID.x * uint(LIST_SCAN_BLOCK) + thread * uint(PER_THREAD);
     uint last = min(first + uint(PER_THREAD), cells);
     uint sum = 0u;
-    for (uint i = first; i < last; ++i) sum = plus(sum, listCursors[i]);
+    for (uint i = first; i < last; ++i) sum = plus(sum, roomFor(listCursors[i]));
     uint before = exclusiveOverGroup(sum, total);
 #if SCAN_STEP == 0
     if (thread == 0u) listBlocks[gl_WorkGroupID.x] = total;
 #else
     before = plus(before, listBlocks[gl_WorkGroupID.x]);
     for (uint i = first; i < last; ++i) {
-        uint count = listCursors[i];
+        uint count = roomFor(listCursors[i]);
         listOffsets[i] = before;
         listCursors[i] = before;
         before = plus(before, count);

@@ -1,0 +1,143 @@
+#include "techniques/ranges/contiguous_ranges.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "techniques/ranges/bindings.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+/// As many prisms as are drawn by one call: their vertices are numbered by 16 bits.
+constexpr std::size_t prismsPerCall = 2048;
+constexpr std::size_t verticesPerPrism = 9, indicesPerPrism = 42;
+constexpr std::size_t bytesPerFragment = 16;
+
+/// Fourteen triangles over the nine vertices of prism.vert. The last vertex of each says what the triangle is.
+std::vector<std::uint16_t> prismIndices() {
+    std::vector<std::uint16_t> indices;
+    for (std::size_t prism = 0; prism < prismsPerCall; ++prism) {
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+            for (const std::size_t vertex : {a, b, c}) indices.push_back(static_cast<std::uint16_t>(prism * verticesPerPrism + vertex));
+        };
+        add(0, 1, 2);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, centre = 6 + i;
+            add(i, j, centre);
+            add(j, 3 + j, centre);
+            add(3 + j, 3 + i, centre);
+            add(3 + i, i, centre);
+        }
+        add(3, 4, 5);  // last, as its time is: fragments that come in order need no sorting
+    }
+    return indices;
+}
+
+/// As generate.comp counts them.
+struct DeviceCounts {
+    std::uint32_t oddLists = 0, longestList = 0, sparePlaces = 0, emptyRanges = 0;
+};
+
+} // namespace
+
+ContiguousRanges::ContiguousRanges(gl::ProgramCache& programs)
+    : programs_(programs),
+      lists_(programs),
+      triangles_("prism triangles", GL_R32UI),
+      ids_("range triangles", GL_RG32UI),
+      times_("range times", GL_RG32F),
+      distances_("range distances", GL_RG32F),
+      slopes_("range time slopes", GL_RG32UI),
+      counts_("range counts", sizeof(DeviceCounts)),
+      indices_("prism indices", std::span<const std::uint16_t>(prismIndices())),
+      none_("prisms"),
+      target_("prism target") {
+    glVertexArrayElementBuffer(none_.name(), indices_.name());
+    target_.setColorCount(0);
+}
+
+void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& motion) {
+    const auto size = static_cast<std::size_t>(frame.plan.request.mapSize);
+    prisms_ = motion.moving.size();
+    {
+        const auto timed = frame.timer.scope("build/collect");
+        triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");
+        if (prisms_ > 0)
+            glNamedBufferSubData(triangles_.buffer().name(), 0, static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)), motion.moving.data());
+        glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, frame.plan.request.mapSize);
+        glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, frame.plan.request.mapSize);
+        lists_.beginCount(size * size);
+        drawPrisms(frame, false);
+        places_ = lists_.scan(2);
+        for (gl::GrowingBuffer* field : {&ids_, &times_, &distances_, &slopes_})
+            field->reserve(std::max<std::size_t>(places_ / 2, 1), "the lists of ranges are too long: lower --map");
+        ids_.bindForWriting(RANGES_IDS_BINDING);
+        times_.bindForWriting(RANGES_TIMES_BINDING);
+        distances_.bindForWriting(RANGES_DISTANCES_BINDING);
+        slopes_.bindForWriting(RANGES_SLOPES_BINDING);
+        drawPrisms(frame, true);
+    }
+    const auto timed = frame.timer.scope("build/generate");
+    const DeviceCounts none;
+    glNamedBufferSubData(counts_.name(), 0, sizeof none, &none);
+    lists_.bindCursors();
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST_OFFSETS_BINDING, lists_.offsetsBuffer().name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RANGES_COUNTS_BINDING, counts_.name());
+    const gl::Program& program = programs_.get({.label = "ranges generate", .compute = "techniques/ranges/generate.comp"});
+    program.use();
+    glUniform1ui(0, static_cast<GLuint>(size * size));
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    if (places_ > 0) glDispatchCompute(static_cast<GLuint>((size * size + 63) / 64), 1, 1);
+    CellLists::finishFill();
+}
+
+void ContiguousRanges::drawPrisms(const TechniqueFrame& frame, bool fill) {
+    gl::ShaderDefines defines;
+    if (frame.plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
+    if (fill) defines.emplace_back("FILL", "1");
+    const gl::Program& program =
+        programs_.get({"ranges collect", "techniques/ranges/prism.vert", "techniques/ranges/collect.frag", defines});
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    target_.bindForDrawing(frame.plan.request.mapSize, frame.plan.request.mapSize);
+    triangles_.bindForReading(TECHNIQUE_UNIT);
+    program.use();
+    glBindVertexArray(none_.name());
+    for (std::size_t first = 0; first < prisms_; first += prismsPerCall) {
+        const std::size_t count = std::min(prismsPerCall, prisms_ - first);
+        glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(count * indicesPerPrism), GL_UNSIGNED_SHORT, nullptr,
+                                 static_cast<GLint>(first * verticesPerPrism));
+    }
+}
+
+void ContiguousRanges::bind() const {
+    lists_.offsets().bind(RANGES_OFFSETS_UNIT);
+    times_.bindForReading(RANGES_TIMES_UNIT);
+    distances_.bindForReading(RANGES_DISTANCES_UNIT);
+    ids_.bindForReading(RANGES_IDS_UNIT);
+    slopes_.bindForReading(RANGES_SLOPES_UNIT);
+}
+
+RangeCounts ContiguousRanges::counts() const {
+    DeviceCounts device;
+    glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
+    RangeCounts counts;
+    counts.fragments = places_ - device.sparePlaces;
+    counts.ranges = places_ / 2 - device.emptyRanges;
+    counts.longestList = device.longestList;
+    counts.oddLists = device.oddLists;
+    // Equation 2 has a fragment of 16 bytes, a range of 24 besides, and two words a texel. Here a range lies where its two fragments
+    // lay; the two words are the texel's place and its cursor.
+    counts.predictedBytes = places_ * bytesPerFragment + 2 * lists_.cells() * sizeof(std::uint32_t) + prisms_ * sizeof(std::uint32_t) +
+                            indices_.bytes();
+    return counts;
+}
+
+std::size_t ContiguousRanges::bytes() const {
+    return lists_.bytes() + triangles_.bytes() + ids_.bytes() + times_.bytes() + distances_.bytes() + slopes_.bytes() + counts_.bytes() + indices_.bytes();
+}
+
+} // namespace timeshade

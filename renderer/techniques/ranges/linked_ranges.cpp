@@ -1,0 +1,122 @@
+#include "techniques/ranges/linked_ranges.h"
+
+#include <algorithm>
+
+#include "techniques/ranges/bindings.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr std::size_t bytesPerFragment = 16, bytesPerRange = RANGE_WORDS * sizeof(std::uint32_t);
+const char* const advice = "the linked lists are too long: lower --map, or use the repaired form, whose fragments are smaller";
+
+/// As the shaders count them.
+struct DeviceCounts {
+    std::uint32_t fragments = 0, ranges = 0, oddLists = 0, longestList = 0;
+};
+
+} // namespace
+
+LinkedRanges::LinkedRanges(gl::ProgramCache& programs)
+    : programs_(programs),
+      triangles_("prism triangles", GL_R32UI),
+      heads_("fragment heads", GL_R32UI),
+      fragmentList_("linked fragments", GL_RGBA32UI),
+      rangeHeads_("range heads", GL_R32UI),
+      rangeList_("linked ranges", GL_R32UI),
+      counts_("linked counts", sizeof(DeviceCounts)),
+      none_("prism points"),
+      target_("prism target") {
+    target_.setColorCount(0);
+}
+
+void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion) {
+    const int size = frame.plan.request.mapSize;
+    texels_ = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    prisms_ = motion.moving.size();
+    triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");
+    if (prisms_ > 0)
+        glNamedBufferSubData(triangles_.buffer().name(), 0, static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)), motion.moving.data());
+    heads_.reserve(texels_, advice);
+    rangeHeads_.reserve(texels_, advice);
+    fragmentList_.reserve(1, advice);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
+    {
+        const auto timed = frame.timer.scope("build/collect");
+        collect(frame);
+        if (fragments_ > capacity_) {
+            fragmentList_.reserve(fragments_, advice);
+            collect(frame);
+        }
+    }
+    const auto timed = frame.timer.scope("build/generate");
+    rangeList_.reserve(std::max<std::size_t>(fragments_ / 2, 1) * RANGE_WORDS, advice);
+    generate();
+}
+
+void LinkedRanges::collect(const TechniqueFrame& frame) {
+    const int size = frame.plan.request.mapSize;
+    const GLuint none = NO_ENTRY;
+    const DeviceCounts zero;
+    glClearNamedBufferData(heads_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
+    glNamedBufferSubData(counts_.name(), 0, sizeof zero, &zero);
+    capacity_ = fragmentList_.bytes() / bytesPerFragment;
+    heads_.bindForWriting(LINKED_HEADS_BINDING);
+    fragmentList_.bindForWriting(LINKED_FRAGMENTS_BINDING);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LINKED_COUNTS_BINDING, counts_.name());
+    gl::ShaderDefines defines;
+    if (frame.plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
+    const gl::Program& program = programs_.get({.label = "published ranges collect",
+                                                .vertex = "techniques/ranges/published_prism.vert",
+                                                .fragment = "techniques/ranges/published_collect.frag",
+                                                .defines = defines,
+                                                .geometry = "techniques/ranges/published_prism.geom"});
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    target_.bindForDrawing(size, size);
+    triangles_.bindForReading(TECHNIQUE_UNIT);
+    program.use();
+    glUniform1ui(0, static_cast<GLuint>(capacity_));
+    glBindVertexArray(none_.name());
+    if (prisms_ > 0) glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(prisms_));
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    DeviceCounts counted;
+    glGetNamedBufferSubData(counts_.name(), 0, sizeof counted, &counted);
+    fragments_ = counted.fragments;
+}
+
+void LinkedRanges::generate() {
+    rangeHeads_.bindForWriting(LINKED_RANGE_HEADS_BINDING);
+    rangeList_.bindForWriting(LINKED_RANGES_BINDING);
+    const gl::Program& program = programs_.get({.label = "published ranges generate", .compute = "techniques/ranges/published_generate.comp"});
+    program.use();
+    glUniform1ui(0, static_cast<GLuint>(texels_));
+    glDispatchCompute(static_cast<GLuint>((texels_ + 63) / 64), 1, 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void LinkedRanges::bind() const {
+    rangeHeads_.bindForReading(RANGES_OFFSETS_UNIT);
+    rangeList_.bindForReading(RANGES_TIMES_UNIT);
+}
+
+RangeCounts LinkedRanges::counts() const {
+    DeviceCounts device;
+    glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
+    RangeCounts counts;
+    counts.fragments = device.fragments;
+    counts.ranges = device.ranges;
+    counts.longestList = device.longestList;
+    counts.oddLists = device.oddLists;
+    counts.predictedBytes = counts.fragments * bytesPerFragment + counts.ranges * bytesPerRange + 2 * texels_ * sizeof(std::uint32_t);
+    return counts;
+}
+
+std::size_t LinkedRanges::bytes() const {
+    return triangles_.bytes() + heads_.bytes() + fragmentList_.bytes() + rangeHeads_.bytes() + rangeList_.bytes() + counts_.bytes();
+}
+
+} // namespace timeshade

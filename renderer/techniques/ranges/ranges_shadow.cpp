@@ -1,0 +1,153 @@
+#include "techniques/ranges/ranges_shadow.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "techniques/ranges/bindings.shared.h"
+#include "techniques/ranges/contiguous_ranges.h"
+#include "techniques/ranges/linked_ranges.h"
+
+namespace timeshade {
+
+const TechniqueDescription& RangesShadow::describe() {
+    static const TechniqueDescription description{
+        "ranges", "Depth-time ranges",
+        "Lists, per map texel, of when each moving triangle covers it and how far away: no noise of the map's own, memory grows with "
+        "what moves.",
+        "Hong and Oh 2019"};
+    return description;
+}
+
+void RangesShadow::visitSettings(SettingsVisitor& visitor) {
+    visitor.number("bias", bias_, 0.5, 0.0, 64.0, "texels",
+                   "How much nearer to the light a caster must be before it counts. Hides steps between neighbouring triangles, and "
+                   "with them real contacts.");
+    visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
+                   "Further bias in proportion to how steeply the surface falls away from the light.");
+    visitor.toggle("as_published", asPublished_, false,
+                   "The paper taken literally, its mistakes included: linked lists, pairs by depth, depths and times linear in the map.");
+}
+
+std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
+    const LightMotion motion = classifyForLight(plan);
+    std::vector<PassDecision> passes;
+    if (!motion.still.empty()) passes.push_back({"build/still map", "an ordinary map of what stands still in the light's frame", motion.still.size()});
+    std::string reason = motion.moving.empty() ? "nothing moves in the light's frame: no prisms" : "a prism for each triangle that moves in the light's frame";
+    if (motion.bending > 0)
+        reason += fmt::format("; {} of them turn or deform, so their sides are not flat and their times are off by some thousandths of the shutter",
+                              motion.bending);
+    passes.push_back({"build/collect", reason, motion.moving.size()});
+    passes.push_back({"build/generate", asPublished_ ? "fragments of one triangle paired by depth" : "fragments of one triangle paired by time", 0});
+    std::string lookup = "each camera sample against the ranges of its texel that hold its time";
+    if (!motion.nearPlane.empty())
+        lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane", motion.nearPlane.size())
+                               : fmt::format("; against {} triangles that cross the light's near plane one by one", motion.nearPlane.size());
+    passes.push_back({"lookup", lookup, asPublished_ ? 0 : motion.nearPlane.size()});
+    return passes;
+}
+
+void RangesShadow::build(const TechniqueFrame& frame) {
+    LightMotion motion = classifyForLight(frame.plan);
+    if (asPublished_) {
+        // The paper knows no near plane: such prisms are clipped and stay open.
+        const auto middle = static_cast<std::ptrdiff_t>(motion.moving.size());
+        motion.moving.insert(motion.moving.end(), motion.nearPlane.begin(), motion.nearPlane.end());
+        std::inplace_merge(motion.moving.begin(), motion.moving.begin() + middle, motion.moving.end());
+        motion.nearPlane.clear();
+    }
+    still_ = motion.still.size();
+    moving_ = motion.moving.size();
+    near_ = motion.nearPlane.size();
+    bending_ = motion.bending;
+    {
+        const auto timed = frame.timer.scope("build/still map");
+        if (!stillMap_) stillMap_.emplace(programs_);
+        stillMap_->draw(frame.plan, frame.mesh, motion.still);
+    }
+    if (!nearTriangles_) nearTriangles_.emplace("near-plane triangles", GL_R32UI);
+    nearTriangles_->reserve(std::max<std::size_t>(near_, 1), "fewer triangles must cross the light's near plane");
+    if (near_ > 0)
+        glNamedBufferSubData(nearTriangles_->buffer().name(), 0, static_cast<GLsizeiptr>(near_ * sizeof(std::uint32_t)), motion.nearPlane.data());
+    if (!lists_ || builtAsPublished_ != asPublished_) {
+        lists_.reset();  // first, so that both need not fit at once
+        if (asPublished_)
+            lists_ = std::make_unique<LinkedRanges>(programs_);
+        else
+            lists_ = std::make_unique<ContiguousRanges>(programs_);
+        builtAsPublished_ = asPublished_;
+    }
+    lists_->build(frame, motion);
+}
+
+gl::ShaderDefines RangesShadow::lookupDefines(const FramePlan& plan) const {
+    gl::ShaderDefines defines = viewDefines(plan);
+    if (builtAsPublished_) defines.emplace_back("AS_PUBLISHED", "1");
+    return defines;
+}
+
+void RangesShadow::lookup(const TechniqueFrame& frame) {
+    gl::ShaderDefines defines = lookupDefines(frame.plan);
+    if (still_ > 0) defines.emplace_back("STILL_TRIANGLES", "1");
+    if (near_ > 0) defines.emplace_back("NEAR_TRIANGLES", "1");
+    const gl::Program& program = programs_.get({"ranges lookup", "passes/fullscreen.vert", "techniques/ranges/lookup.frag", defines});
+    program.use();
+    glUniform1f(2, bias_);
+    glUniform1f(3, slopeBias_);
+    if (near_ > 0) glUniform1i(4, static_cast<GLint>(near_));
+    stillMap_->depth().bind(RANGES_STILL_UNIT);
+    nearTriangles_->bindForReading(RANGES_NEAR_UNIT);
+    lists_->bind();
+    if (!lookupPass_) lookupPass_.emplace();
+    lookupPass_->draw(frame, program);
+}
+
+std::vector<TechniqueView> RangesShadow::views() const {
+    return {{"ranges", "Ranges per texel", "ranges", 0.0, 64.0, false}, {"time", "When the first range begins", "u", 0.0, 1.0, false}};
+}
+
+void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
+    if (name != "ranges" && name != "time") return Technique::drawView(frame, name, values);
+    gl::ShaderDefines defines = lookupDefines(frame.plan);
+    if (name == "time") defines.emplace_back("VIEW_TIME", "1");
+    const gl::Program& program = programs_.get({"ranges view", "passes/fullscreen.vert", "techniques/ranges/view.frag", defines});
+    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
+    lists_->bind();
+    if (!viewTarget_) viewTarget_.emplace("ranges view target");
+    viewTarget_->setColorCount(1);
+    viewTarget_->attach(GL_COLOR_ATTACHMENT0, values);
+    viewTarget_->bindForDrawing(values.width(), values.height());
+    frame.fullscreen.draw(program);
+}
+
+std::vector<TechniqueFigure> RangesShadow::figures() const {
+    if (!lists_) return {};
+    const RangeCounts counts = lists_->counts();
+    const auto number = [](std::size_t n) { return static_cast<double>(n); };
+    std::vector<TechniqueFigure> figures{
+        {"moving triangles", number(moving_), "", ""},
+        {"bending triangles", number(bending_), "", bending_ > 0 ? "the sides of their prisms are not flat: times are off by some thousandths" : ""},
+        {"still triangles", number(still_), "", ""},
+        {"near-plane triangles", number(near_), "", ""},
+        {"fragments", number(counts.fragments), "", ""},
+        {"ranges", number(counts.ranges), "", ""},
+        {"longest list", number(counts.longestList), "fragments", ""},
+        {"odd lists", number(counts.oddLists), "texels", counts.oddLists > 0 ? "prisms were not closed there: shadows may begin or end at the wrong time" : ""},
+        {"memory by equation 2", number(predictedBytes(counts)), "bytes", ""},
+    };
+    return figures;
+}
+
+/// The ordinary map of still triangles is no part of the paper's equation, and is added.
+std::size_t RangesShadow::predictedBytes(const RangeCounts& counts) const { return counts.predictedBytes + stillMap_->bytes(); }
+
+std::vector<const gl::Texture*> RangesShadow::textures() const {
+    if (!stillMap_ || !stillMap_->drawn()) return {};
+    return {&stillMap_->depth()};
+}
+
+std::size_t RangesShadow::bytes() const {
+    return (lists_ ? lists_->bytes() : 0) + (stillMap_ ? stillMap_->bytes() : 0) + (nearTriangles_ ? nearTriangles_->bytes() : 0);
+}
+
+} // namespace timeshade

@@ -1,0 +1,7 @@
+// The lists of all texels, a field an array: collected as fragments, and turned into ranges where they lie (generate.comp).
+#include "techniques/ranges/bindings.shared.h"
+
+layout(std430, binding = RANGES_IDS_BINDING) buffer FragmentIds { uint fragmentIds[]; };
+layout(std430, binding = RANGES_TIMES_BINDING) buffer FragmentTimes { float fragmentTimes[]; };
+layout(std430, binding = RANGES_DISTANCES_BINDING) buffer FragmentDistances { float fragmentDistances[]; };
+layout(std430, binding = RANGES_SLOPES_BINDING) buffer FragmentSlopes { uint fragmentSlopes[]; };  // change of time per texel, two halves

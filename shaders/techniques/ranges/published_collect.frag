@@ -1,0 +1,19 @@
+// Collection sub-pass as published (section 4.2): a linked list of fragments a texel, in one buffer that a counter deals out.
+#include "lib/blocks.glsl"
+#include "techniques/ranges/bindings.shared.h"
+#include "techniques/ranges/published_counts.glsl"
+
+layout(std430, binding = LINKED_HEADS_BINDING) buffer FragmentHeads { uint fragmentHeads[]; };
+layout(std430, binding = LINKED_FRAGMENTS_BINDING) writeonly buffer Fragments { uvec4 fragments[]; };
+layout(location = 0) uniform uint capacity;
+
+noperspective in float prismTime;
+flat in uint prismId;
+
+void main() {
+    uint place = atomicAdd(fragmentCount, 1u);
+    if (place >= capacity) return;  // counted; the pass is drawn again with more room
+    uint texel = uint(gl_FragCoord.y) * frame.mapSize + uint(gl_FragCoord.x);
+    uint next = atomicExchange(fragmentHeads[texel], place);
+    fragments[place] = uvec4(floatBitsToUint(gl_FragCoord.z), floatBitsToUint(prismTime), prismId, next);
+}
