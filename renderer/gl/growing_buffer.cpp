@@ -27,10 +27,10 @@ void GrowingBuffer::reserve(std::size_t elements, const std::string& advice) {
     if (buffer_ && buffer_->bytes() >= elements * each) return;
     const std::size_t largestBlock = limitOf(GL_MAX_SHADER_STORAGE_BLOCK_SIZE), mostTexels = limitOf(GL_MAX_TEXTURE_BUFFER_SIZE);
     if (elements * each > largestBlock)
-        throw Error(fmt::format("'{}' needs {:.0f} MiB for {} entries; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {:.0f} MiB: {}", label_,
+        throw LimitError(fmt::format("'{}' needs {:.0f} MiB for {} entries; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {:.0f} MiB: {}", label_,
                                 mebibytes(elements * each), elements, mebibytes(largestBlock), advice));
     if (elements > mostTexels)
-        throw Error(fmt::format("'{}' needs {} entries; this device's GL_MAX_TEXTURE_BUFFER_SIZE is {}: {}", label_, elements, mostTexels, advice));
+        throw LimitError(fmt::format("'{}' needs {} entries; this device's GL_MAX_TEXTURE_BUFFER_SIZE is {}: {}", label_, elements, mostTexels, advice));
     const std::size_t room = std::min({elements + elements / 32, largestBlock / each, mostTexels});
     view_.reset();
     buffer_.reset();  // first, so that both need not fit at once
@@ -38,7 +38,7 @@ void GrowingBuffer::reserve(std::size_t elements, const std::string& advice) {
     buffer_.emplace(label_, room * each);
     if (glGetError() == GL_OUT_OF_MEMORY) {
         buffer_.reset();
-        throw Error(fmt::format("not enough GPU memory for '{}' ({:.0f} MiB): {}", label_, mebibytes(room * each), advice));
+        throw LimitError(fmt::format("not enough GPU memory for '{}' ({:.0f} MiB): {}", label_, mebibytes(room * each), advice));
     }
     view_ = Texture::ofBuffer(label_, format_, *buffer_);
 }

@@ -16,7 +16,7 @@ class GrowingBuffer {
     /// `texelFormat`: one of the formats of bytesPerTexel; an element is one texel.
     GrowingBuffer(std::string labelText, GLenum texelFormat);
 
-    /// Room for `elements`, and 3 % more when it has to grow. Throws Error where the device's storage blocks, buffer textures or
+    /// Room for `elements`, and 3 % more when it has to grow. Throws LimitError where the device's storage blocks, buffer textures or
     /// memory do not take so many; the line names what was wanted, the limit, and `advice` ("lower --map").
     void reserve(std::size_t elements, const std::string& advice);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cases/expectation.h"
+#include "scene/error.h"
 
 namespace timeshade {
 
@@ -82,7 +83,12 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
     const SamplingTraits traits = technique.samplingTraits();
     const double answers = independentAnswers(c, traits, effort.mapSize);
     const int pictures = picturesFor(traits, answers);
-    result.value = measureLitShare(renderer, technique, c, effort, pictures);
+    try {
+        result.value = measureLitShare(renderer, technique, c, effort, pictures);
+    } catch (const LimitError& error) {
+        result.reason = error.what();
+        return result;
+    }
 
     const Expectation e = expectationOf(c, traits, effort.samplesPerPixel, effort.mapSize);
     const double noise = samplingTolerance(c, traits, e, answers * pictures);

@@ -14,7 +14,7 @@ void CellLists::beginCount(std::size_t cells) {
         GLint64 largest = 0;
         glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
         if ((cells + 1) * sizeof(GLuint) > static_cast<std::size_t>(largest))
-            throw Error(fmt::format("lists of {} cells need blocks of {} bytes; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {}: lower --map",
+            throw LimitError(fmt::format("lists of {} cells need blocks of {} bytes; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {}: lower --map",
                                     cells, (cells + 1) * sizeof(GLuint), largest));
         const std::size_t blocks = (cells + LIST_SCAN_BLOCK - 1) / LIST_SCAN_BLOCK;
         cursors_.emplace("list cursors", cells * sizeof(GLuint));
@@ -46,7 +46,7 @@ std::size_t CellLists::scan(std::size_t multiple) {
     GLuint total = 0;
     glGetNamedBufferSubData(offsets_->name(), static_cast<GLintptr>(cells_ * sizeof(GLuint)), sizeof total, &total);
     if (total == std::numeric_limits<GLuint>::max())
-        throw Error(fmt::format("lists of {} cells would hold {} entries or more; expected fewer: lower --map", cells_, total));
+        throw LimitError(fmt::format("lists of {} cells would hold {} entries or more; expected fewer: lower --map", cells_, total));
     return total;
 }
 

@@ -21,10 +21,10 @@ class CellLists {
   public:
     explicit CellLists(gl::ProgramCache& programs) : programs_(programs) {}
 
-    /// Zeroes the counters of `cells` lists (at least one) and binds them. Throws Error where a storage block does not hold so many.
+    /// Zeroes the counters of `cells` lists (at least one) and binds them. Throws LimitError where a storage block does not hold so many.
     void beginCount(std::size_t cells);
     /// Turns counts into places, and returns the number of entries: waits for the device. With a `multiple` above 1 each list gets
-    /// room for a multiple of so many entries; after filling, the cursors say where its entries end. Throws Error where there are 2^32 - 1
+    /// room for a multiple of so many entries; after filling, the cursors say where its entries end. Throws LimitError where there are 2^32 - 1
     /// entries or more. The counters are bound as cursors, ready to fill.
     std::size_t scan(std::size_t multiple = 1);
     /// Binds the cursors again, for callers that bound something else in between.

@@ -19,4 +19,11 @@ class UsageError : public Error {
     using Error::Error;
 };
 
+/// A frame needs more than the device gives: a buffer, a texture, memory. The message names the limit and what to lower; smaller frames go on
+/// working.
+class LimitError : public Error {
+  public:
+    using Error::Error;
+};
+
 } // namespace timeshade

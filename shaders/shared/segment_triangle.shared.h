@@ -61,7 +61,8 @@ SHARED_FUNCTION bool segmentMeetsTriangle(vec3 toLight, vec3 v0, vec3 v1, vec3 v
         through = -through;
     }
     bool within = plane > SEGMENT_NEAREST * through && plane < through;
-    return within && most > least && plane > planeSlack * length(n);
+    bool anyEdge = most > SHARED_FLOAT(0.0) || least < SHARED_FLOAT(0.0);
+    return within && anyEdge && plane > planeSlack * length(n);
 }
 
 SHARED_END

@@ -3,6 +3,7 @@
 // join a product and a sum into one rounding; each bound below says what that can do.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "parity/compute.h"
+#include "shared/cubic.shared.h"
 #include "shared/sample_pattern.shared.h"
 #include "shared/segment_triangle.shared.h"
 #include "shared/swept_bounds.shared.h"
@@ -287,6 +289,41 @@ TEST_F(SharedNumerics, SegmentMeetsTriangle) {
         hits += gpu[0];
     }
     EXPECT_GT(hits, count / 10);
+}
+
+/// Divisions and roots may round otherwise on a GPU; what they lead to is the same sign wherever the cubic is not nearly 0.
+TEST_F(SharedNumerics, SignChangesOfCubics) {
+    constexpr std::size_t count = 50000;
+    const std::vector<float> input = coordinates(4 * count);
+    const std::vector<std::uint32_t> output = runOnGpu("shared/cubic.shared.h", R"(
+    vec4 b = vec4(in_(0), in_(1), in_(2), in_(3));
+    CubicSignChanges c = signChangesOfCubic(b);
+    put(0, c.count); put(1, c.at.x); put(2, c.at.y); put(3, c.at.z);
+    put(4, cubicAt(b, 0.3));
+    vec4 lit = positiveIntervals(b.x, b.y, b.z);
+    put(5, lit.y - lit.x + lit.w - lit.z);
+)",
+                                                       input, 4, 6);
+    std::size_t several = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec4 b(input[4 * i], input[4 * i + 1], input[4 * i + 2], input[4 * i + 3]);
+        const std::uint32_t* gpu = output.data() + 6 * i;
+        ASSERT_EQ(asFloat(gpu[4]), shared::cubicAt(b, 0.3f)) << "case " << i;
+        const shared::CubicSignChanges here = shared::signChangesOfCubic(b);
+        const shared::CubicSignChanges there{gpu[0], {asFloat(gpu[1]), asFloat(gpu[2]), asFloat(gpu[3])}};
+        several += here.count > 1 ? 1u : 0u;
+        const double most = std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z), std::abs(b.w)});
+        for (int k = 0; k <= 32; ++k) {
+            const float t = static_cast<float>(k) / 32.0f;
+            if (std::abs(static_cast<double>(shared::cubicAt(b, t))) <= std::ldexp(most, -17)) continue;
+            ASSERT_EQ(shared::signFromChanges(b, here, t), shared::signFromChanges(b, there, t)) << "case " << i << " at " << t;
+        }
+        const glm::vec4 lit = shared::positiveIntervals(b.x, b.y, b.z);
+        const double d = static_cast<double>(b.y) * static_cast<double>(b.y) - static_cast<double>(b.x) * static_cast<double>(b.z);
+        const double conditioned = 1.0 + static_cast<double>(b.y) * static_cast<double>(b.y) / std::max(std::abs(d), 1e-12);
+        ASSERT_NEAR(static_cast<double>(asFloat(gpu[5])), static_cast<double>(lit.y - lit.x + lit.w - lit.z), std::ldexp(conditioned, -20)) << "case " << i;
+    }
+    EXPECT_GT(several, count / 100);
 }
 
 TEST(UlpsApart, CountsFloats) {

@@ -119,6 +119,11 @@ TEST(SharedSegmentTriangle, ContactsKeepTheirShadowDownToTheShareOfTheWay) {
     }
 }
 
+/// A segment that is equally far inside of all three edges: equal sides are no sign of a triangle without area.
+TEST(SharedSegmentTriangle, StraightThroughTheMiddle) {
+    EXPECT_TRUE(shared::segmentMeetsTriangle({64, 64, 64}, {63, 63, 64}, {63, 64, 63}, {64, 63, 63}, 0.0f));
+}
+
 TEST(SharedSegmentTriangle, NothingFromNothing) {
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     for (const float bad : {nan, infinity, -infinity}) {

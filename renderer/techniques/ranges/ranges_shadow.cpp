@@ -29,6 +29,13 @@ void RangesShadow::visitSettings(SettingsVisitor& visitor) {
                    "The paper taken literally, its mistakes included: linked lists, pairs by depth, depths and times linear in the map.");
 }
 
+SamplingTraits RangesShadow::samplingTraits() const {
+    SamplingTraits traits;
+    traits.texelCentres = true;
+    traits.biasTexels = static_cast<double>(bias_);
+    return traits;
+}
+
 std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
     const LightMotion motion = classifyForLight(plan);
     std::vector<PassDecision> passes;

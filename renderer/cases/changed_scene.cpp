@@ -1,0 +1,112 @@
+#include "cases/changed_scene.h"
+
+#include <utility>
+
+namespace timeshade {
+
+ChangedScene::ChangedScene(std::shared_ptr<const Scene> scene, WorldChange world, MeshChange mesh)
+    : scene_(std::move(scene)), world_(world), meshChange_(std::move(mesh)) {
+    // The box of the moved box would grow under a rotation, and with it what is fitted to it: the centre and the
+    // diagonal, which are what is used, are kept.
+    const Bounds& given = scene_->bounds();
+    const glm::dvec3 half = 0.5 * world_.scale * (given.high - given.low), centre = moved(given.centre());
+    bounds_.add(centre - half);
+    bounds_.add(centre + half);
+}
+
+void ChangedScene::reverse(double openSeconds, double closeSeconds) {
+    reversed_ = true;
+    mirror_ = openSeconds + closeSeconds;
+}
+
+CameraPose ChangedScene::camera(std::size_t index, double seconds) const {
+    CameraPose pose = scene_->camera(index, reversed_ ? mirror_ - seconds : seconds);
+    pose.eye = moved(pose.eye);
+    pose.axes = world_.rotation * pose.axes;
+    pose.nearDistance *= world_.scale;
+    return pose;
+}
+
+LightPose ChangedScene::light(double seconds) const {
+    LightPose pose = scene_->light(reversed_ ? mirror_ - seconds : seconds);
+    pose.position = moved(pose.position);
+    pose.axes = world_.rotation * pose.axes;
+    return pose;
+}
+
+MotionMesh ChangedScene::motionMesh(double openSeconds, double closeSeconds) const {
+    MotionMesh mesh = reversed_ ? scene_->motionMesh(mirror_ - closeSeconds, mirror_ - openSeconds) : scene_->motionMesh(openSeconds, closeSeconds);
+    if (reversed_) {
+        std::swap(mesh.positionsOpen, mesh.positionsClose);
+        std::swap(mesh.normalsOpen, mesh.normalsClose);
+    }
+    for (auto* positions : {&mesh.positionsOpen, &mesh.positionsClose})
+        for (glm::dvec3& position : *positions) position = moved(position);
+    for (auto* normals : {&mesh.normalsOpen, &mesh.normalsClose})
+        for (glm::vec3& normal : *normals) normal = glm::vec3(world_.rotation * glm::dvec3(normal));
+    return meshChange_ ? meshChange_(std::move(mesh)) : mesh;
+}
+
+double ChangedScene::heldCloseSeconds(double openSeconds, double closeSeconds) const {
+    return reversed_ ? closeSeconds : scene_->heldCloseSeconds(openSeconds, closeSeconds);
+}
+
+MotionMesh withCornersTurned(MotionMesh mesh) {
+    auto topology = std::make_shared<MeshTopology>(*mesh.topology);
+    for (glm::u32vec3& t : topology->triangles) t = {t.y, t.z, t.x};
+    mesh.topology = topology;
+    return mesh;
+}
+
+MotionMesh subdivided(MotionMesh mesh) {
+    auto topology = std::make_shared<MeshTopology>(*mesh.topology);
+    topology->triangles.clear();
+    topology->triangleMaterials.clear();
+    topology->triangleInstances.clear();
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+        for (auto* positions : {&mesh.positionsOpen, &mesh.positionsClose}) positions->push_back(0.5 * ((*positions)[a] + (*positions)[b]));
+        for (auto* normals : {&mesh.normalsOpen, &mesh.normalsClose}) {
+            const glm::vec3 sum = (*normals)[a] + (*normals)[b];
+            normals->push_back(glm::length(sum) > 0.0f ? glm::normalize(sum) : (*normals)[a]);
+        }
+        topology->textureCoordinates.push_back(0.5f * (topology->textureCoordinates[a] + topology->textureCoordinates[b]));
+        return static_cast<std::uint32_t>(mesh.positionsOpen.size() - 1);
+    };
+    const MeshTopology& given = *mesh.topology;
+    for (std::size_t i = 0; i < given.triangles.size(); ++i) {
+        const glm::u32vec3 t = given.triangles[i];
+        const std::uint32_t xy = middle(t.x, t.y), yz = middle(t.y, t.z), zx = middle(t.z, t.x);
+        for (const glm::u32vec3& piece : {glm::u32vec3(t.x, xy, zx), glm::u32vec3(xy, t.y, yz), glm::u32vec3(zx, yz, t.z), glm::u32vec3(xy, yz, zx)}) {
+            topology->triangles.push_back(piece);
+            topology->triangleMaterials.push_back(given.triangleMaterials[i]);
+            topology->triangleInstances.push_back(given.triangleInstances[i]);
+        }
+    }
+    topology->vertexCount = mesh.positionsOpen.size();
+    mesh.topology = topology;
+    return mesh;
+}
+
+MotionMesh withQuad(MotionMesh mesh, const glm::dvec3 (&corners)[4]) {
+    auto topology = std::make_shared<MeshTopology>(*mesh.topology);
+    const auto first = static_cast<std::uint32_t>(mesh.positionsOpen.size());
+    const glm::vec3 normal(glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
+    for (const glm::dvec3& corner : corners) {
+        mesh.positionsOpen.push_back(corner);
+        mesh.positionsClose.push_back(corner);
+        mesh.normalsOpen.push_back(normal);
+        mesh.normalsClose.push_back(normal);
+        topology->textureCoordinates.emplace_back(0.0f);
+    }
+    for (const glm::u32vec3& t : {glm::u32vec3(first, first + 1, first + 2), glm::u32vec3(first, first + 2, first + 3)}) {
+        topology->triangles.push_back(t);
+        topology->triangleMaterials.push_back(0);
+        topology->triangleInstances.push_back(static_cast<std::uint32_t>(topology->instanceCount));
+    }
+    ++topology->instanceCount;
+    topology->vertexCount = mesh.positionsOpen.size();
+    mesh.topology = topology;
+    return mesh;
+}
+
+} // namespace timeshade

@@ -1,0 +1,179 @@
+// Checks that need no exact answer: what must not change a picture, or must change it in one direction only. The three
+// scenes that come with the program, and random ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "cases/changed_scene.h"
+#include "cases/procedural_scene.h"
+#include "scene_catalogue.h"
+#include "support/awkward_numbers.h"
+#include "support/gl_environment.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+namespace {
+
+/// Quads that fly and turn over a ground, under a spot that moves; nothing repeats between seeds.
+std::shared_ptr<const Scene> randomScene(std::uint32_t seed) {
+    AwkwardNumbers numbers(seed);
+    auto scene = std::make_shared<ProceduralScene>();
+    const auto number = [&](float low, float high) { return static_cast<double>(numbers.between(low, high)); };
+    const auto point = [&] {
+        const double x = number(-3, 3), y = number(-3, 3);
+        return glm::dvec3(x, y, number(1, 5));
+    };
+    for (int i = 0; i < 20; ++i) {
+        const glm::dvec3 a = point(), b = a + glm::dvec3(number(-1, 1), number(-1, 1), number(-0.5f, 0.5f));
+        const glm::dvec3 right(number(0.2f, 0.7f), number(-0.3f, 0.3f), number(-0.3f, 0.3f)), up(number(-0.3f, 0.3f), number(0.2f, 0.7f), number(-0.3f, 0.3f));
+        MovingQuad quad{};
+        for (int c = 0; c < 4; ++c) {
+            const double s = c == 1 || c == 2 ? 1.0 : -1.0, t = c >= 2 ? 1.0 : -1.0;
+            quad.open[c] = a + s * right + t * up;
+            quad.close[c] = b + s * right + t * up * 0.8;
+        }
+        scene->quads.push_back(quad);
+    }
+    scene->quads.push_back(slidingQuad({0, 0, 0}, {0, 0, 0}, 6.0, -6.0, 6.0));
+    scene->cameraOpen = scene->cameraClose = lookAt({2.0, -11.0, 8.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}, 0.7, 0.01);
+    scene->cameraClose.eye.x += 0.05;
+    scene->lightOpen.position = {-0.5, 0.3, 11.0};
+    scene->lightClose.position = {0.5, 0.0, 11.0};
+    scene->lightOpen.outerConeAngle = scene->lightClose.outerConeAngle = 0.55;
+    scene->finish();
+    return scene;
+}
+
+std::shared_ptr<const Scene> sceneOf(const std::string& name) {
+    static std::map<std::string, std::shared_ptr<const Scene>> known;
+    std::shared_ptr<const Scene>& scene = known[name];
+    if (!scene) scene = name.rfind("random", 0) == 0 ? randomScene(static_cast<std::uint32_t>(name.back())) : std::shared_ptr<const Scene>(openScene(name, ""));
+    return scene;
+}
+
+FrameRequest requestOf(const Scene& scene) {
+    FrameRequest request = ProceduralScene::request(96, 72, 4, 256, 5);
+    request.shutter = {scene.defaults().framesPerSecond, scene.defaults().shutterLength, ShutterPosition::Start};
+    request.frame = scene.defaults().frame;
+    return request;
+}
+
+struct Drawn {
+    std::vector<std::uint32_t> ids;
+    std::vector<float> lit;
+    double mean() const {
+        double sum = 0.0;
+        for (const float value : lit) sum += static_cast<double>(value);
+        return sum / static_cast<double>(lit.size());
+    }
+};
+
+Drawn draw(const Scene& scene, const FrameRequest& request, Technique& technique) {
+    FramePlanner planner(scene);
+    technique.forget();
+    sharedRenderer().draw(planner.plan(request), technique, View::Visibility);
+    return {sharedRenderer().readSampleIds(), sharedRenderer().readVisibility()};
+}
+
+/// Samples that see something and whose lit differs, in a million.
+double changedPpm(const Drawn& a, const Drawn& b) {
+    std::size_t seen = 0, changed = 0;
+    for (std::size_t i = 0; i < a.lit.size(); ++i) {
+        if (a.ids[i] == NO_TRIANGLE && b.ids[i] == NO_TRIANGLE) continue;
+        ++seen;
+        changed += std::abs(a.lit[i] - b.lit[i]) > 0.5f ? 1u : 0u;
+    }
+    return seen == 0 ? 1e6 : 1e6 * static_cast<double>(changed) / static_cast<double>(seen);
+}
+
+using Parameters = std::tuple<std::string, std::string>;
+class Metamorphic : public testing::TestWithParam<Parameters> {
+  protected:
+    Metamorphic()
+        : technique_(makeTechnique(std::get<0>(GetParam()), sharedRenderer().programs())), scene_(sceneOf(std::get<1>(GetParam()))),
+          request_(requestOf(*scene_)) {
+        if (std::get<0>(GetParam()) == "accumulation") setFromText(*technique_, "renders", "8");
+        FramePlanner planner(*scene_);
+        supported_ = !technique_->unsupported(planner.plan(request_));
+        if (supported_) original_ = draw(*scene_, request_, *technique_);
+    }
+    /// Only the last render of several is compared sample by sample; it has as good a time as any.
+    double ppmOf(const Scene& changed) { return changedPpm(original_, draw(changed, request_, *technique_)); }
+
+    std::unique_ptr<Technique> technique_;
+    std::shared_ptr<const Scene> scene_;
+    FrameRequest request_;
+    Drawn original_;
+    bool supported_ = false;
+};
+
+/// 27 648 samples: 100 in a million are two or three.
+constexpr double allowedPpm = 110.0;
+
+TEST_P(Metamorphic, FarScaledAndTurnedWorlds) {
+    if (!supported_) GTEST_SKIP();
+    EXPECT_EQ(ppmOf(ChangedScene(scene_)), 0.0) << "nothing changed";
+    EXPECT_LE(ppmOf(ChangedScene(scene_, {1.0, glm::dmat3(1.0), glm::dvec3(1e4)})), allowedPpm) << "moved by 1e4";
+    EXPECT_LE(ppmOf(ChangedScene(scene_, {1e-3, glm::dmat3(1.0), glm::dvec3(0.0)})), allowedPpm) << "scaled by 1e-3";
+    EXPECT_LE(ppmOf(ChangedScene(scene_, {1e3, glm::dmat3(1.0), glm::dvec3(0.0)})), allowedPpm) << "scaled by 1e3";
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    const glm::dmat3 turn = glm::dmat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0) * glm::dmat3(1.0, 0.0, 0.0, 0.0, c, s, 0.0, -s, c);
+    EXPECT_LE(ppmOf(ChangedScene(scene_, {1.0, turn, glm::dvec3(0.0)})), 3.0 * allowedPpm) << "turned";
+}
+
+TEST_P(Metamorphic, TheSameSurfaceOtherwiseCut) {
+    if (!supported_) GTEST_SKIP();
+    EXPECT_LE(ppmOf(ChangedScene(scene_, {}, withCornersTurned)), allowedPpm) << "corners turned";
+    EXPECT_LE(ppmOf(ChangedScene(scene_, {}, subdivided)), 3.0 * allowedPpm) << "each triangle in four";
+}
+
+TEST_P(Metamorphic, TimeBackwardsAndInHalves) {
+    if (!supported_) GTEST_SKIP();
+    // Other samples of the same mean: four standard errors, the samples of a pixel being tied to nothing else.
+    const double noise = 4.0 * 0.5 / std::sqrt(static_cast<double>(original_.lit.size())) + 0.002;
+    const double open = request_.shutter.openSeconds(request_.frame), close = request_.shutter.closeSeconds(request_.frame);
+    ChangedScene backwards(scene_);
+    backwards.reverse(open, close);
+    if (technique_->renders() == 1) { EXPECT_NEAR(draw(backwards, request_, *technique_).mean(), original_.mean(), noise); }
+    if (technique_->samplingTraits().times == SamplingTraits::Times::OneInstant || technique_->renders() > 1) return;
+    FrameRequest half = request_;
+    half.shutter.length *= 0.5;
+    half.samplesPerPixel /= 2;  // strata as long as before, and with them whatever a technique's error depends on
+    const double first = draw(*scene_, half, *technique_).mean();
+    half.frame += half.shutter.length;
+    const double second = draw(*scene_, half, *technique_).mean();
+    EXPECT_NEAR(0.5 * (first + second), original_.mean(), 1.5 * noise) << "halves of the shutter";
+}
+
+TEST_P(Metamorphic, ACasterMoreNeverBrightens) {
+    if (!supported_) GTEST_SKIP();
+    // A quad between the light and the middle of the scene, out of nobody's way.
+    const LightPose light = scene_->light(request_.shutter.openSeconds(request_.frame));
+    const Bounds& bounds = scene_->bounds();
+    const glm::dvec3 towards = light.kind == LightKind::Directional ? light.axes[2] * bounds.diagonal() : light.position - bounds.centre();
+    const glm::dvec3 middle = bounds.centre() + 0.25 * towards, x = 0.05 * bounds.diagonal() * light.axes[0], y = 0.05 * bounds.diagonal() * light.axes[1];
+    const glm::dvec3 corners[4] = {middle - x - y, middle + x - y, middle + x + y, middle - x + y};
+    const Drawn with = draw(ChangedScene(scene_, {}, [&](MotionMesh mesh) { return withQuad(std::move(mesh), corners); }), request_, *technique_);
+    std::size_t brighter = 0, darker = 0;
+    for (std::size_t i = 0; i < with.lit.size(); ++i) {
+        if (with.ids[i] != original_.ids[i]) continue;
+        brighter += with.lit[i] > original_.lit[i] + 1e-3f ? 1u : 0u;
+        darker += with.lit[i] < original_.lit[i] - 1e-3f ? 1u : 0u;
+    }
+    EXPECT_LE(1e6 * static_cast<double>(brighter) / static_cast<double>(with.lit.size()), light.kind == LightKind::Directional ? 1e4 : 0.0);
+    EXPECT_GT(darker, 0u) << "the caster casts nothing: this shows nothing";
+}
+
+std::vector<std::string> techniqueNames() {
+    std::vector<std::string> names;
+    for (const TechniqueDescription& description : techniqueDescriptions()) names.push_back(description.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTechniques, Metamorphic,
+                         testing::Combine(testing::ValuesIn(techniqueNames()), testing::Values("chess", "octopus", "pillars", "random1", "random2")),
+                         [](const testing::TestParamInfo<Parameters>& test) { return std::get<0>(test.param) + "_" + std::get<1>(test.param); });
+
+} // namespace
+} // namespace timeshade
