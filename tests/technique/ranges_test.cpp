@@ -205,6 +205,26 @@ TEST(Ranges, ACubeTopIsLit) {
     EXPECT_EQ(litShare(*scene, false), 1.0);
 }
 
+/// A steep triangle that moves, with no bias at all: its own ranges are told by their number and left out.
+TEST(Ranges, NoTriangleShadowsItself) {
+    for (const bool asPublished : {false, true}) {
+        auto scene = std::make_shared<ProceduralScene>();
+        const glm::dvec3 move(1.0, 0.0, 0.5);
+        const Points open{{{-1, -1, 0}, {1, -1, 0.8}, {0, 1, 0.4}}};
+        scene->quads.push_back(movingTriangle(open, {{open[0] + move, open[1] + move, open[2] + move}}));
+        scene->cameraOpen.eye = {0.0, -0.3, 2.0};
+        scene->cameraClose.eye = scene->cameraOpen.eye + move;
+        scene->cameraOpen.verticalFieldOfView = scene->cameraClose.verticalFieldOfView = 0.2;
+        scene->lightOpen = scene->lightClose = spot({0.0, 0.0, 10.0});
+        scene->finish();
+        const std::unique_ptr<Technique> technique = makeTechnique("ranges", sharedRenderer().programs());
+        for (const auto& [key, value] : {std::pair{"as_published", asPublished ? "on" : "off"}, {"bias", "0"}, {"slope_bias", "0"}})
+            setFromText(*technique, key, value);
+        sharedRenderer().draw(FramePlanner(*scene).plan(ProceduralScene::request(side, side, 4, 128, 1)), *technique, View::Visibility);
+        for (const float lit : sharedRenderer().readVisibility()) ASSERT_EQ(lit, 1.0f);
+    }
+}
+
 /// The values of one of the technique's own views.
 std::vector<float> drawnView(const FramePlan& plan, Technique& technique, const std::string& name) {
     sharedRenderer().draw(plan, technique, View::Final, name);

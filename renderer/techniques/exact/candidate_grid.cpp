@@ -23,6 +23,13 @@ std::size_t deviceLimit() {
     return static_cast<std::size_t>(std::min(block / 8, texels));
 }
 
+/// One place a cell and one more, in one storage block.
+std::size_t mostCells() {
+    GLint64 block = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
+    return static_cast<std::size_t>(block / 4 - 1);
+}
+
 } // namespace
 
 CandidateGrid::CandidateGrid(gl::ProgramCache& programs)
@@ -35,6 +42,10 @@ void CandidateGrid::build(const FramePlan& plan, const LightMotion& motion, cons
     coarsened_ = false;
     for (side_ = wanted.side;; side_ /= 2) {
         const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(buckets_ + 1);
+        if (cells > mostCells() && side_ > 1) {
+            coarsened_ = true;
+            continue;
+        }
         lists_.beginCount(cells);
         insert(plan, motion, false);
         entries_ = lists_.scan();

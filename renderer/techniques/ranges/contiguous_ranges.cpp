@@ -4,6 +4,9 @@
 #include <array>
 #include <span>
 
+#include <fmt/format.h>
+
+#include "scene/error.h"
 #include "techniques/ranges/bindings.shared.h"
 
 namespace timeshade {
@@ -61,6 +64,12 @@ ContiguousRanges::ContiguousRanges(gl::ProgramCache& programs)
 void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& motion) {
     const auto size = static_cast<std::size_t>(frame.plan.request.mapSize);
     prisms_ = motion.moving.size();
+    GLint64 largest = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
+    if ((size * size + 1) * sizeof(GLuint) > static_cast<std::size_t>(largest))
+        throw Error(fmt::format("a list for each of {} x {} texels needs blocks of {} bytes; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE "
+                                "is {}: lower --map",
+                                size, size, (size * size + 1) * sizeof(GLuint), largest));
     {
         const auto timed = frame.timer.scope("build/collect");
         triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");

@@ -44,8 +44,8 @@ std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
     if (motion.bending > 0)
         reason += fmt::format("; {} of them turn or deform, so their sides are not flat and their times are off by some thousandths of the shutter",
                               motion.bending);
-    passes.push_back({"build/collect", reason, motion.moving.size()});
-    passes.push_back({"build/generate", asPublished_ ? "fragments of one triangle paired by depth" : "fragments of one triangle paired by time", 0});
+    reason += asPublished_ ? "; fragments of one triangle are paired by depth" : "; fragments of one triangle are paired by time";
+    passes.push_back({"build", reason, motion.moving.size()});
     std::string lookup = "each camera sample against the ranges of its texel that hold its time";
     if (!motion.nearPlane.empty())
         lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane", motion.nearPlane.size())
