@@ -7,6 +7,7 @@
 #include "techniques/exact/exact_shadow.h"
 #include "techniques/ranges/ranges_shadow.h"
 #include "techniques/static/static_shadow.h"
+#include "techniques/temporal/temporal_shadow.h"
 #include "techniques/tsm/tsm_shadow.h"
 
 namespace timeshade {
@@ -30,6 +31,7 @@ const std::vector<Entry>& registry() {
         entry<AccumulationShadow>(),
         entry<ExactShadow>(),
         entry<RangesShadow>(),
+        entry<TemporalShadow>(),
     };
     return entries;
 }

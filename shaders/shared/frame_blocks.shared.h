@@ -27,6 +27,7 @@
 #define TECHNIQUE_UNIT 6            // the first of a technique's own textures
 #define COLOR_IMAGES_UNIT 10        // 2D array of base colour images, sRGB
 #define DATA_IMAGES_UNIT 11         // 2D array of metallic-roughness images, linear
+#define NEAR_TRIANGLES_UNIT 13      // buffer texture, R32UI: triangles that cross the light's near plane
 
 #define TRIANGLE_POSITION_TEXELS 5
 #define TRIANGLE_SHADING_TEXELS 6

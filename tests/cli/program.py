@@ -13,7 +13,7 @@ import zlib
 PROGRAM = os.environ.get("TIMESHADE", "")
 SCENES = ("chess", "octopus", "pillars")  # those that are files
 COMPUTED = ("cubes", "rising", "frusta", "sphere")
-TECHNIQUES = ("static", "tsm", "accumulation", "exact", "ranges")
+TECHNIQUES = ("static", "tsm", "accumulation", "exact", "ranges", "temporal")
 # Small and quick: what these suites test does not depend on the number of pixels.
 QUICK = ("--size", "64x48", "--map", "64", "--spp", "2", "--set", "accumulation.renders=2")
 

@@ -1,0 +1,121 @@
+#include "techniques/temporal/exact_tuples.h"
+
+#include <algorithm>
+
+#include "techniques/temporal/bindings.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr std::size_t bytesPerTuple = 20;
+
+} // namespace
+
+ExactTuples::ExactTuples(gl::ProgramCache& programs)
+    : programs_(programs),
+      lists_(programs),
+      times_("tuple times", GL_RG32F),
+      depths_("tuple distances", GL_RG32F),
+      ids_("tuple triangles", GL_R32UI),
+      skipped_("skipped tuples", sizeof(GLuint)),
+      target_("tuple target"),
+      coverageTarget_("coverage target") {
+    target_.setColorCount(0);
+    coverageTarget_.setColorCount(0);
+}
+
+void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint32_t>& moving, bool coverageMap) {
+    const int size = frame.plan.request.mapSize;
+    covers_.set(frame.plan, moving);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    gl::ShaderDefines defines;
+    if (coverageMap) {
+        const auto timed = frame.timer.scope("build/coverage");
+        drawCoverage(frame);
+        coverage_->bind(TUPLE_COVERAGE_UNIT);
+        defines.emplace_back("COVERAGE_MAP", "1");
+    } else {
+        coverage_.reset();
+    }
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
+    glDisable(GL_DEPTH_TEST);
+    const GLuint none = 0;
+    glNamedBufferSubData(skipped_.name(), 0, sizeof none, &none);
+    // Blocks may not be left unbound, though nothing is written while counting.
+    const auto reserve = [&](std::size_t count) {
+        for (gl::GrowingBuffer* field : {&times_, &depths_, &ids_}) field->reserve(std::max<std::size_t>(count, 1), "the lists of tuples are too long: lower --map");
+        times_.bindForWriting(TUPLE_TIMES_BINDING);
+        depths_.bindForWriting(TUPLE_DEPTHS_BINDING);
+        ids_.bindForWriting(TUPLE_IDS_BINDING);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TUPLE_COUNTS_BINDING, skipped_.name());
+    };
+    {
+        const auto timed = frame.timer.scope("build/count");
+        reserve(1);
+        lists_.beginCount(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+        target_.bindForDrawing(size, size);
+        covers_.draw(programs_, "techniques/temporal/visits.frag", defines, 0);
+        tuples_ = lists_.scan();
+    }
+    const auto timed = frame.timer.scope("build/tuples");
+    reserve(tuples_);
+    target_.bindForDrawing(size, size);
+    if (tuples_ > 0) covers_.draw(programs_, "techniques/temporal/visits.frag", defines, 1);
+    CellLists::finishFill();
+}
+
+void ExactTuples::drawCoverage(const TechniqueFrame& frame) {
+    const int size = frame.plan.request.mapSize;
+    if (!coverage_ || coverage_->width() != size) {
+        coverage_ = gl::Texture::array2D("coverage map", GL_DEPTH_COMPONENT32F, size, size, 1);
+        coverageTarget_.attach(GL_DEPTH_ATTACHMENT, *coverage_);
+    }
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    coverageTarget_.bindForDrawing(size, size);
+    const float nobody = 0.0f;
+    glClearNamedFramebufferfv(coverageTarget_.name(), GL_DEPTH, 0, &nobody);
+    covers_.draw(programs_, "techniques/temporal/claim.frag", {});
+}
+
+void ExactTuples::bind() const {
+    lists_.offsets().bind(TUPLE_OFFSETS_UNIT);
+    times_.bindForReading(TUPLE_TIMES_UNIT);
+    depths_.bindForReading(TUPLE_DEPTHS_UNIT);
+    ids_.bindForReading(TUPLE_IDS_UNIT);
+    if (coverage_) coverage_->bind(TUPLE_COVERAGE_UNIT);
+}
+
+TupleCounts ExactTuples::counts() const {
+    TupleCounts counts;
+    counts.tuples = tuples_;
+    std::vector<GLuint> offsets(lists_.cells() + 1);
+    glGetNamedBufferSubData(lists_.offsetsBuffer().name(), 0, static_cast<GLsizeiptr>(offsets.size() * sizeof(GLuint)), offsets.data());
+    for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)
+        counts.longestList = std::max<std::size_t>(counts.longestList, offsets[cell + 1] - offsets[cell]);
+    counts.predictedBytes = tuples_ * bytesPerTuple + lists_.cells() * 2 * sizeof(GLuint) + covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
+    if (coverage_) {
+        GLuint skipped = 0;
+        glGetNamedBufferSubData(skipped_.name(), 0, sizeof skipped, &skipped);
+        counts.skippedTuples = skipped;
+        std::vector<float> claims(lists_.cells());
+        glGetTextureImage(coverage_->name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, static_cast<GLsizei>(claims.size() * sizeof(float)), claims.data());
+        counts.coveredTexels = static_cast<std::size_t>(std::count_if(claims.begin(), claims.end(), [](float claim) { return claim > 0.0f; }));
+        counts.predictedBytes += coverage_->bytes();
+    }
+    return counts;
+}
+
+std::vector<const gl::Texture*> ExactTuples::textures() const {
+    if (!coverage_) return {};
+    return {&*coverage_};
+}
+
+std::size_t ExactTuples::bytes() const {
+    return covers_.bytes() + lists_.bytes() + times_.bytes() + depths_.bytes() + ids_.bytes() + skipped_.bytes() + (coverage_ ? coverage_->bytes() : 0);
+}
+
+} // namespace timeshade

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "techniques/temporal/moving_covers.h"
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+/// The coverage map of Hong and Oh 2017 as published ("Extension"): nearest map, overlap pass, reset pass. R32F: the number of the
+/// triangle that is taken to cover the texel all through the shutter, or -1. It says so wherever both ends of the prism cover the
+/// texel's centre, which does not mean that the triangle covers it in between. Where the paper leaves a choice: the pass without a
+/// depth test that writes depth is drawn with GL_ALWAYS, and the end that it tests is the one whose depth stays.
+class PublishedCoverage {
+  public:
+    explicit PublishedCoverage(gl::ProgramCache& programs);
+    void draw(int mapSize, const MovingCovers& covers);
+    const gl::Texture& map() const { return *coverage_; }
+    std::size_t bytes() const;
+
+  private:
+    gl::ProgramCache& programs_;
+    gl::Framebuffer target_;
+    std::optional<gl::Texture> nearest_, overlap_, coverage_, depth_;
+};
+
+} // namespace timeshade

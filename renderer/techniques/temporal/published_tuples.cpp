@@ -1,0 +1,107 @@
+#include "techniques/temporal/published_tuples.h"
+
+#include <algorithm>
+
+#include "techniques/temporal/bindings.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+struct DeviceCounts {
+    GLuint tuples = 0, skipped = 0;
+};
+
+} // namespace
+
+PublishedTuples::PublishedTuples(gl::ProgramCache& programs)
+    : programs_(programs),
+      heads_("tuple heads", GL_R32UI),
+      tuples_("linked tuples", GL_R32UI),
+      counts_("tuple counts", sizeof(DeviceCounts)),
+      target_("tuple target") {
+    target_.setColorCount(0);
+}
+
+void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::uint32_t>& moving, bool coverageMap) {
+    const int size = frame.plan.request.mapSize;
+    texels_ = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    covers_.set(frame.plan, moving);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    gl::ShaderDefines defines;
+    if (coverageMap) {
+        const auto timed = frame.timer.scope("build/coverage");
+        if (!coverage_) coverage_.emplace(programs_);
+        coverage_->draw(size, covers_);
+        coverage_->map().bind(TUPLE_COVERAGE_UNIT);
+        defines.emplace_back("COVERAGE_MAP", "1");
+    } else {
+        coverage_.reset();
+    }
+    const auto timed = frame.timer.scope("build/tuples");
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
+    glDisable(GL_DEPTH_TEST);
+    heads_.reserve(texels_, "lower --map");
+    DeviceCounts found;
+    // How many there will be is known once they have been drawn: draw again where the room was too small.
+    for (std::size_t wanted = std::max<std::size_t>(count_, 1);; wanted = found.tuples) {
+        tuples_.reserve(wanted * LINKED_TUPLE_WORDS, "the lists of tuples are too long: lower --map");
+        const std::size_t room = tuples_.bytes() / (LINKED_TUPLE_WORDS * sizeof(GLuint));
+        const GLuint nothing = NO_TUPLE;
+        glClearNamedBufferData(heads_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &nothing);
+        const DeviceCounts zero;
+        glNamedBufferSubData(counts_.name(), 0, sizeof zero, &zero);
+        heads_.bindForWriting(LINKED_HEADS_BINDING);
+        tuples_.bindForWriting(LINKED_TUPLES_BINDING);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TUPLE_COUNTS_BINDING, counts_.name());
+        target_.bindForDrawing(size, size);
+        covers_.draw(programs_, "techniques/temporal/published_tuples.frag", defines, static_cast<GLuint>(room));
+        glMemoryBarrier(GL_ALL_BARRIER_BITS);
+        glGetNamedBufferSubData(counts_.name(), 0, sizeof found, &found);
+        if (found.tuples <= room) break;
+    }
+    count_ = found.tuples;
+}
+
+void PublishedTuples::bind() const {
+    heads_.bindForReading(TUPLE_OFFSETS_UNIT);
+    tuples_.bindForReading(TUPLE_TIMES_UNIT);
+    if (coverage_) coverage_->map().bind(TUPLE_COVERAGE_UNIT);
+}
+
+TupleCounts PublishedTuples::counts() const {
+    TupleCounts counts;
+    counts.tuples = count_;
+    std::vector<GLuint> heads(texels_), tuples(std::max<std::size_t>(count_, 1) * LINKED_TUPLE_WORDS);
+    glGetNamedBufferSubData(heads_.buffer().name(), 0, static_cast<GLsizeiptr>(heads.size() * sizeof(GLuint)), heads.data());
+    glGetNamedBufferSubData(tuples_.buffer().name(), 0, static_cast<GLsizeiptr>(tuples.size() * sizeof(GLuint)), tuples.data());
+    for (const GLuint head : heads) {
+        std::size_t length = 0;
+        for (GLuint tuple = head; tuple != NO_TUPLE; tuple = tuples[std::size_t{tuple} * LINKED_TUPLE_WORDS + 5]) ++length;
+        counts.longestList = std::max(counts.longestList, length);
+    }
+    counts.predictedBytes = count_ * LINKED_TUPLE_WORDS * sizeof(GLuint) + texels_ * sizeof(GLuint) + covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
+    if (coverage_) {
+        DeviceCounts device;
+        glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
+        counts.skippedTuples = device.skipped;
+        std::vector<float> covered(texels_);
+        glGetTextureImage(coverage_->map().name(), 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(covered.size() * sizeof(float)), covered.data());
+        counts.coveredTexels = static_cast<std::size_t>(std::count_if(covered.begin(), covered.end(), [](float id) { return id >= 0.0f; }));
+        // Nearest map 8 bytes, coverage map twice 4 (as drawn and as reset), depth 4.
+        counts.predictedBytes += texels_ * 20;
+    }
+    return counts;
+}
+
+std::vector<const gl::Texture*> PublishedTuples::textures() const {
+    if (!coverage_) return {};
+    return {&coverage_->map()};
+}
+
+std::size_t PublishedTuples::bytes() const {
+    return covers_.bytes() + heads_.bytes() + tuples_.bytes() + counts_.bytes() + (coverage_ ? coverage_->bytes() : 0);
+}
+
+} // namespace timeshade

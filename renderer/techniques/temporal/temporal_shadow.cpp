@@ -1,0 +1,169 @@
+#include "techniques/temporal/temporal_shadow.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "plan/light_motion.h"
+#include "techniques/temporal/bindings.shared.h"
+#include "techniques/temporal/exact_tuples.h"
+#include "techniques/temporal/published_tuples.h"
+
+namespace timeshade {
+
+const TechniqueDescription& TemporalShadow::describe() {
+    static const TechniqueDescription description{
+        "temporal", "Temporal shadow maps",
+        "Lists, per map texel, of when each moving triangle is there and how far away: each triangle is drawn once for the whole shutter, "
+        "memory grows with what moves.",
+        "Hong and Oh 2017"};
+    return description;
+}
+
+void TemporalShadow::visitSettings(SettingsVisitor& visitor) {
+    visitor.number("bias", bias_, 0.5, 0.0, 64.0, "texels",
+                   "How much nearer to the light a caster must be before it counts. Hides steps between neighbouring triangles, and "
+                   "with them real contacts.");
+    visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
+                   "Further bias in proportion to how steeply the surface falls away from the light.");
+    visitor.toggle("coverage_map", coverageMap_, false,
+                   "Finds the texels that one triangle covers all through the shutter, and leaves out what lies behind it there: shorter lists "
+                   "for one more pass.");
+    visitor.toggle("as_published", asPublished_, false,
+                   "The paper taken literally, its mistakes included: swept prisms of flat triangles, one tuple a triangle, depths linear in the "
+                   "window, a coverage map that takes two ends for the whole shutter.");
+}
+
+SamplingTraits TemporalShadow::samplingTraits() const {
+    SamplingTraits traits;
+    traits.texelCentres = true;
+    traits.firstAndLast = asPublished_;
+    traits.biasTexels = static_cast<double>(bias_);
+    return traits;
+}
+
+std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
+    const LightMotion motion = classifyForLight(plan);
+    std::vector<PassDecision> passes;
+    if (!motion.still.empty()) passes.push_back({"build/still map", "an ordinary map of what stands still in the light's frame", motion.still.size()});
+    if (coverageMap_) passes.push_back({"build/coverage", "texels that one triangle covers all through the shutter", motion.moving.size()});
+    std::string reason = motion.moving.empty() ? "nothing moves in the light's frame: no tuples" : "when each triangle that moves in the light's frame is where";
+    if (motion.bending > 0)
+        reason += asPublished_ ? fmt::format("; {} of them turn or deform, so the sides of their prisms are bent, and flat triangles stand for them", motion.bending)
+                               : fmt::format("; {} of them turn or deform: times are exact, distances between them within a quarter of a texel as a rule",
+                                             motion.bending);
+    passes.push_back({"build/tuples", reason, motion.moving.size()});
+    std::string lookup = "each camera sample against the tuples of its texel that hold its time";
+    if (!motion.nearPlane.empty())
+        lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane", motion.nearPlane.size())
+                               : fmt::format("; against {} triangles that cross the light's near plane one by one", motion.nearPlane.size());
+    passes.push_back({"lookup", lookup, asPublished_ ? 0 : motion.nearPlane.size()});
+    return passes;
+}
+
+void TemporalShadow::build(const TechniqueFrame& frame) {
+    LightMotion motion = classifyForLight(frame.plan);
+    still_ = motion.still.size();
+    moving_ = motion.moving.size();
+    near_ = motion.nearPlane.size();
+    bending_ = motion.bending;
+    {
+        const auto timed = frame.timer.scope("build/still map");
+        if (!stillMap_) stillMap_.emplace(programs_);
+        stillMap_->draw(frame.plan, frame.mesh, motion.still);
+    }
+    if (!nearTriangles_) nearTriangles_.emplace("near-plane triangles", GL_R32UI);
+    nearTriangles_->reserve(std::max<std::size_t>(near_, 1), "fewer triangles must cross the light's near plane");
+    if (near_ > 0)
+        glNamedBufferSubData(nearTriangles_->buffer().name(), 0, static_cast<GLsizeiptr>(near_ * sizeof(std::uint32_t)), motion.nearPlane.data());
+    if (!lists_ || builtAsPublished_ != asPublished_) {
+        lists_.reset();  // first, so that both need not fit at once
+        if (asPublished_)
+            lists_ = std::make_unique<PublishedTuples>(programs_);
+        else
+            lists_ = std::make_unique<ExactTuples>(programs_);
+        builtAsPublished_ = asPublished_;
+    }
+    builtWithCoverage_ = coverageMap_;
+    if (asPublished_) {
+        // The paper knows no near plane: such prisms are clipped and stay open.
+        const auto middle = static_cast<std::ptrdiff_t>(motion.moving.size());
+        motion.moving.insert(motion.moving.end(), motion.nearPlane.begin(), motion.nearPlane.end());
+        std::inplace_merge(motion.moving.begin(), motion.moving.begin() + middle, motion.moving.end());
+    }
+    lists_->build(frame, motion.moving, coverageMap_);
+}
+
+gl::ShaderDefines TemporalShadow::lookupDefines(const FramePlan& plan) const {
+    gl::ShaderDefines defines = viewDefines(plan);
+    if (builtAsPublished_) defines.emplace_back("AS_PUBLISHED", "1");
+    return defines;
+}
+
+void TemporalShadow::lookup(const TechniqueFrame& frame) {
+    gl::ShaderDefines defines = lookupDefines(frame.plan);
+    if (builtWithCoverage_) defines.emplace_back("COVERAGE_MAP", "1");
+    const gl::Program& program = programs_.get({"temporal lookup", "passes/fullscreen.vert", "techniques/temporal/lookup.frag", defines});
+    program.use();
+    glUniform1f(2, bias_);
+    glUniform1f(3, slopeBias_);
+    glUniform1i(4, builtAsPublished_ ? 0 : static_cast<GLint>(near_));
+    stillMap_->depth().bind(TUPLE_STILL_UNIT);
+    nearTriangles_->bindForReading(NEAR_TRIANGLES_UNIT);
+    lists_->bind();
+    if (!lookupPass_) lookupPass_.emplace();
+    lookupPass_->draw(frame, program);
+}
+
+std::vector<TechniqueView> TemporalShadow::views() const {
+    return {{"tuples", "Tuples per texel", "tuples", 0.0, 64.0, false}, {"time", "When the first tuple begins", "u", 0.0, 1.0, false}};
+}
+
+void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
+    if (name != "tuples" && name != "time") return Technique::drawView(frame, name, values);
+    gl::ShaderDefines defines = lookupDefines(frame.plan);
+    if (name == "time") defines.emplace_back("VIEW_TIME", "1");
+    const gl::Program& program = programs_.get({"temporal view", "passes/fullscreen.vert", "techniques/temporal/view.frag", defines});
+    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
+    lists_->bind();
+    if (!viewTarget_) viewTarget_.emplace("temporal view target");
+    viewTarget_->setColorCount(1);
+    viewTarget_->attach(GL_COLOR_ATTACHMENT0, values);
+    viewTarget_->bindForDrawing(values.width(), values.height());
+    frame.fullscreen.draw(program);
+}
+
+std::vector<TechniqueFigure> TemporalShadow::figures() const {
+    if (!lists_) return {};
+    const TupleCounts counts = lists_->counts();
+    const auto number = [](std::size_t n) { return static_cast<double>(n); };
+    std::vector<TechniqueFigure> figures{
+        {"moving triangles", number(moving_), "", ""},
+        {"bending triangles", number(bending_), "", bending_ > 0 && builtAsPublished_ ? "the sides of their prisms are bent: times are off by some thousandths" : ""},
+        {"still triangles", number(still_), "", ""},
+        {"near-plane triangles", number(near_), "", near_ > 0 && builtAsPublished_ ? "their prisms are cut open: shadows may begin or end at the wrong time" : ""},
+        {"tuples", number(counts.tuples), "", ""},
+        {"longest list", number(counts.longestList), "tuples", ""},
+    };
+    if (builtWithCoverage_) {
+        figures.push_back({"covered texels", number(counts.coveredTexels), "texels", ""});
+        figures.push_back({"tuples skipped", number(counts.skippedTuples), "", ""});
+    }
+    figures.push_back({"memory", number(bytes()), "bytes", ""});
+    figures.push_back({"memory predicted", number(counts.predictedBytes + stillMap_->bytes() + near_ * sizeof(std::uint32_t)), "bytes", ""});
+    return figures;
+}
+
+std::vector<const gl::Texture*> TemporalShadow::textures() const {
+    if (!stillMap_ || !stillMap_->drawn()) return {};
+    std::vector<const gl::Texture*> all{&stillMap_->depth()};
+    if (lists_)
+        for (const gl::Texture* texture : lists_->textures()) all.push_back(texture);
+    return all;
+}
+
+std::size_t TemporalShadow::bytes() const {
+    return (lists_ ? lists_->bytes() : 0) + (stillMap_ ? stillMap_->bytes() : 0) + (nearTriangles_ ? nearTriangles_->bytes() : 0);
+}
+
+} // namespace timeshade

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gl/growing_buffer.h"
+#include "passes/still_map.h"
+#include "techniques/technique.h"
+#include "techniques/temporal/tuple_lists.h"
+
+namespace timeshade {
+
+/// Temporal shadow maps (Hong and Oh 2017). For each texel of the light's map and each moving triangle that visits it, a tuple says
+/// when the triangle is there and how far away: (begin, end, distance at begin, distance at end, triangle). A receiver is in shadow if
+/// a tuple of its texel, of another triangle than its own, holds its time and is nearer than it. No time is sampled for the map,
+/// so there is no time mismatch. What remains is the map's resolution in space. The coverage map spares tuples behind a triangle
+/// that covers the texel all the time.
+/// Still triangles go to an ordinary map. Triangles that cross the light's near plane are tested exactly by each sample.
+/// By default repaired (ExactTuples); `as_published` is the paper taken literally (PublishedTuples).
+class TemporalShadow final : public Technique {
+  public:
+    static const TechniqueDescription& describe();
+    explicit TemporalShadow(gl::ProgramCache& programs) : programs_(programs) {}
+
+    const TechniqueDescription& description() const override { return describe(); }
+    void visitSettings(SettingsVisitor& visitor) override;
+    SamplingTraits samplingTraits() const override;
+    std::vector<PassDecision> passes(const FramePlan& plan) const override;
+    void build(const TechniqueFrame& frame) override;
+    void lookup(const TechniqueFrame& frame) override;
+    std::vector<TechniqueView> views() const override;
+    void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
+    std::vector<TechniqueFigure> figures() const override;
+    std::vector<const gl::Texture*> textures() const override;
+    std::size_t bytes() const override;
+
+  private:
+    gl::ShaderDefines lookupDefines(const FramePlan& plan) const;
+
+    gl::ProgramCache& programs_;
+    float bias_ = 0.5f, slopeBias_ = 1.0f;
+    bool asPublished_ = false, coverageMap_ = false;
+
+    bool builtAsPublished_ = false, builtWithCoverage_ = false;
+    std::unique_ptr<TupleLists> lists_;
+    std::optional<StillMap> stillMap_;
+    std::optional<gl::GrowingBuffer> nearTriangles_;
+    std::size_t still_ = 0, moving_ = 0, near_ = 0, bending_ = 0;
+    std::optional<LookupPass> lookupPass_;
+    std::optional<gl::Framebuffer> viewTarget_;
+};
+
+} // namespace timeshade
