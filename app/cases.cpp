@@ -75,6 +75,7 @@ int runCases(const Options& options) {
         const std::unique_ptr<Technique> technique = techniqueFor(one, renderer.programs());
         for (const ClosedFormCase& c : closedFormCases())
             if (c.kind != ClosedFormCase::Kind::Numeric) take(runCase(renderer, *technique, c, {options.samplesPerPixel, options.mapSize}));
+        take(runContactGaps(renderer, *technique, {options.samplesPerPixel, options.mapSize}));
     }
     watch.requireSilence();
     if (quiet)

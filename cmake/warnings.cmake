@@ -11,7 +11,9 @@ target_compile_definitions(timeshade_options INTERFACE
   TIMESHADE_SOURCE_DIRECTORY="${PROJECT_SOURCE_DIR}" TIMESHADE_VERSION="${PROJECT_VERSION}")
 target_include_directories(timeshade_options INTERFACE ${PROJECT_SOURCE_DIR}/renderer ${PROJECT_SOURCE_DIR}/shaders)
 if(TIMESHADE_SANITIZE)
-  target_compile_options(timeshade_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  # A division of floats by zero and a float too large for an integer are no part of `undefined`, but never meant here.
+  target_compile_options(timeshade_options INTERFACE -fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow
+    -fno-omit-frame-pointer -fno-sanitize-recover=undefined,float-divide-by-zero,float-cast-overflow)
   # GCC 12 with -fsanitize=address sees std::function and std::regex use what they have just set (GCC bug 105562).
   target_compile_options(timeshade_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(timeshade_options INTERFACE -fsanitize=address,undefined)

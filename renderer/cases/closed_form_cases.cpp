@@ -179,6 +179,13 @@ FrameRequest ClosedFormCase::request(int samplesPerPixel, int mapSize, std::uint
     return ProceduralScene::request(width, height, samplesPerPixel, mapSize, seed);
 }
 
+ClosedFormCase contactCase(double gap) {
+    ClosedFormCase c;
+    c.name = "contact";
+    SetUpC().slidingQuad(0.0, 0.0, gap).point(0.1 * gap).cameraHeight(0.5 * gap).finish(c);
+    return c;
+}
+
 std::shared_ptr<ProceduralScene> sweptPointScene(double shift) {
     ClosedFormCase c;
     c.name = "quad_sweeps_point";

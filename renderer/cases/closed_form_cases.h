@@ -49,6 +49,9 @@ const std::vector<ClosedFormCase>& closedFormCases();
 /// Throws UsageError that names the known ones.
 const ClosedFormCase& closedFormCase(const std::string& name);
 
+/// Case 28 with the quad `gap` above the receiver, 10 below the light: dark.
+ClosedFormCase contactCase(double gap);
+
 /// Case 1 with the quad's start moved by `shift` in x: the same lit share as long as |shift| <= 0.7.
 std::shared_ptr<ProceduralScene> sweptPointScene(double shift);
 

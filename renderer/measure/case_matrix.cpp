@@ -105,6 +105,35 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
     return result;
 }
 
+CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const CaseEffort& effort) {
+    const SamplingTraits traits = technique.samplingTraits();
+    CaseResult result;
+    result.technique = technique.description().name;
+    result.caseName = "smallest_gap";
+    result.value = 10.0;
+    const double gaps[] = {1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 5e-4, 2e-4, 1.5e-4};
+    for (const double gap : gaps) {
+        const ClosedFormCase c = contactCase(gap);
+        FramePlanner planner(*c.scene);
+        const FramePlan plan = planner.plan(c.request(effort.samplesPerPixel, effort.mapSize, 1));
+        if (const auto why = technique.unsupported(plan)) {
+            result.reason = *why;
+            return result;
+        }
+        // A texel's width at the receiver.
+        result.predicted = traits.texelCentres ? traits.biasTexels * 10.0 * static_cast<double>(plan.block.lightCone.w) : 1e-4;
+        if (measureLitShare(renderer, technique, c, effort, 1) > 0.01) break;
+        result.value = gap;
+    }
+    result.tolerance = 0.01;
+    result.predictedTolerance = 1.5 * result.predicted + 1e-4;  // the next of the steps
+    if (result.value <= result.tolerance)
+        result.verdict = Verdict::Right;
+    else
+        result.verdict = result.value <= result.predicted + result.predictedTolerance ? Verdict::Predicted : Verdict::Wrong;
+    return result;
+}
+
 CaseResult runNumericCase(const ClosedFormCase& c) {
     CaseResult result;
     result.technique = "-";

@@ -45,6 +45,11 @@ double measureLitShare(FrameRenderer& renderer, Technique& technique, const Clos
 /// some hundredths.
 CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort);
 
+/// The smallest gap between a caster and its receiver, in steps of 1, 2, 5, at which the shadow is kept (lit at most 1 %), all
+/// wider ones included; the light is 10 away. As a cell: right down to a thousandth of that distance, predicted down to the
+/// technique's own bias.
+CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const CaseEffort& effort);
+
 /// A case that no technique takes part in.
 CaseResult runNumericCase(const ClosedFormCase& c);
 

@@ -78,6 +78,19 @@ bool segmentDecidesAsExactArithmetic(const SegmentAndTriangle& s) {
     return hit == oracle::meet(segment, vertices).hit || segmentIsOpen(s);
 }
 
+/// Of small whole numbers floats lose nothing: the decision must be that of exact arithmetic, on edges and corners too.
+bool latticeIsDecidedExactly(AwkwardNumbers& numbers) {
+    const auto point = [&] {
+        const auto whole = [&] { return static_cast<float>(static_cast<int>(numbers.below(9)) - 4); };
+        const float x = whole(), y = whole(), z = whole();
+        return vec3(x, y, z);
+    };
+    const vec3 l = point(), a = point(), b = point(), c = point();
+    const oracle::Segment segment{dvec3(0.0), dvec3(l), 1e-5, 1.0, HUGE_VAL};
+    const dvec3 vertices[3] = {dvec3(a), dvec3(b), dvec3(c)};
+    return shared::segmentMeetsTriangle(l, a, b, c, 0.0f) == oracle::meet(segment, vertices).hit;
+}
+
 // ---- quadratics
 
 double bernstein(double b0, double b1, double b2, double t) { return b0 * (1 - t) * (1 - t) + 2 * b1 * t * (1 - t) + b2 * t * t; }
@@ -187,6 +200,7 @@ TEST(Volume, EdgeSides) { EXPECT_EQ(firstFailure(5000000, 1, edgeIsWithinItsBoun
 TEST(Volume, SegmentsAndTriangles) {
     EXPECT_EQ(firstFailure(4000000, 2, [](AwkwardNumbers& n) { return segmentDecidesAsExactArithmetic(awkwardSegmentAndTriangle(n)); }), -1);
 }
+TEST(Volume, SegmentsAndTrianglesOfWholeNumbers) { EXPECT_EQ(firstFailure(2000000, 7, latticeIsDecidedExactly), -1); }
 TEST(Volume, Quadratics) {
     EXPECT_EQ(firstFailure(4000000, 3, [](AwkwardNumbers& n) { const vec3 b = awkwardQuadratic(n); return quadraticIsRight(b, n) && singleRootIsNear(b); }), -1);
 }
