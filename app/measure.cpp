@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 
+#include "convergence.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "make_context.h"
@@ -77,6 +78,7 @@ void showProgress(const std::string& what, int done, int total, double secondsLe
 } // namespace
 
 int runMeasure(const Options& options) {
+    if (!options.historyFrames.empty()) return runConvergence(options);
     const std::filesystem::path folder(options.output);
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);

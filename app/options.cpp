@@ -312,6 +312,9 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     spps->delimiter(',')->check(numberFrom(1, maximumSamplesPerPixel));
     measure->add_option("--maps", options.measuredMaps, "map sizes to measure, as in 256,512")
         ->delimiter(',')->check(numberFrom(minimumMapSize, maximumMapSize));
+    measure->add_option("--history-frames", options.historyFrames,
+                        "instead: how a still picture of `history` converges, as in 1,5,10,20,40,60 (with --shutter 0 --spp 1: hard shadows)")
+        ->delimiter(',')->check(numberFrom(1, 10000));
     measure->add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")->check(numberFrom(2, 1000));
     measure->add_option("--reference", options.referenceSamples, "samples per pixel of the reference")->check(numberFrom(1, 65536));
     addFrameOptions(*measure, options, size, settings, viewName);

@@ -49,6 +49,7 @@ struct Options {
     std::vector<std::string> measuredTechniques;  ///< measure: names or TechniqueVariants; empty for all, and Embree
     std::vector<int> measuredEfforts{1, 2, 4, 8, 16};  ///< measure: samples per pixel
     std::vector<int> measuredMaps{512};
+    std::vector<int> historyFrames;  ///< measure: not empty for the convergence of a still picture instead
     std::string variedSetting;          ///< measure: a computed scene's setting, "cubes.count"; empty for none
     std::vector<std::string> variedValues;  ///< the values that it takes, checked
     int rounds = 3;               ///< measure: how often each point is timed, each with a seed of its own

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "frame/warm_up.h"
+
 namespace timeshade {
 
 std::string deviceLine(const gl::DeviceInfo& device) {
@@ -22,6 +24,7 @@ std::string explain(const FramePlan& plan, const Technique& technique, const gl:
         const std::string count = pass.triangles > 0 ? fmt::format("{} of {} triangles: ", pass.triangles, plan.motion.triangles) : "";
         text += fmt::format("{:<9} {}{}\n", pass.name, count, pass.reason);
     };
+    if (const std::string words = warmUpWords(technique, plan.request); !words.empty()) text += fmt::format("first     {}\n", words);
     for (const PassDecision& pass : plan.passes) line(pass);
     for (const PassDecision& pass : technique.passes(plan)) line(pass);
     if (const auto reason = technique.unsupported(plan)) text += fmt::format("CANNOT    {}\n", *reason);
@@ -69,6 +72,7 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
     json["map"] = request.mapSize;
     json["seed"] = request.seed;
     json["frame"] = request.frame;
+    if (warmUpCount(technique) > 0) json["warm_up"] = {{"frames_before", technique.warmUpFrames()}, {"times_held", technique.heldFrames()}};
     json["fps"] = request.shutter.framesPerSecond;
     json["shutter"] = request.shutter.length;
     json["gl"] = {{"back_end", backEnd},

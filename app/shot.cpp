@@ -5,6 +5,7 @@
 
 #include "diagnostic_shot.h"
 #include "frame/frame_renderer.h"
+#include "frame/warm_up.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "headless.h"
@@ -60,8 +61,9 @@ int runShot(const Options& options) {
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
     FramePlanner planner(*scene);
     for (int i = 0; i < options.frames; ++i, request.frame += 1.0) {
+        if (options.explain && i == 0) fmt::print("{}", explain(planner.plan(request), *technique, renderer.device()));
+        drawWarmUp(renderer, planner, *technique, request, options.view);
         FramePlan plan = planner.plan(request);
-        if (options.explain && i == 0) fmt::print("{}", explain(plan, *technique, renderer.device()));
         std::optional<DisplayImage> diagnostic;
         if (options.diagnostic == Diagnostic::None)
             drawWithProgress(renderer, std::move(plan), *technique, options);
@@ -101,9 +103,11 @@ int runPictures(const Options& options) {
         const std::unique_ptr<Scene> scene = openScene(builtIn.name, "");
         const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
         FramePlanner planner(*scene);
-        const FramePlan plan = planner.plan(requestFor(options, *scene));
+        const FrameRequest request = requestFor(options, *scene);
+        drawWarmUp(renderer, planner, *technique, request, options.view);
+        const FramePlan plan = planner.plan(request);
         // The first draw compiles shaders and fills caches; the second is timed.
-        if (technique->renders() == 1) renderer.draw(plan, *technique, options.view, options.techniqueView);
+        if (technique->renders() == 1 && warmUpCount(*technique) == 0) renderer.draw(plan, *technique, options.view, options.techniqueView);
         renderer.timer().finishFrame();
         drawWithProgress(renderer, plan, *technique, options);
         const auto times = renderer.timer().finishFrame();

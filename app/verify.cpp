@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "frame/warm_up.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "headless.h"
@@ -77,6 +78,7 @@ int runVerify(const Options& options) {
     {
         const Progress progress(technique->renders());
         how.progress = [&](int done, int) { progress.update(done); };
+        drawWarmUp(renderer, planner, *technique, request, View::Visibility);
         verification = verifyFrame(renderer, plan, *technique, how);
     }
     watch.requireSilence();

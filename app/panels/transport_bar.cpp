@@ -32,6 +32,7 @@ void drawTransport(Session& session, Widgets& widgets) {
     if (ImGui::SliderInt("##scrub", &frame, 0, playback.loopFrames() - 1, format.c_str(), ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
         playback.play(false);
         playback.jump(frame);
+        session.technique->forget();
     }
     widgets.dump().lastItem("scrub", playback.frame());
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "frame/warm_up.h"
 #include "measure/metrics.h"
 #include "techniques/registry.h"
 #include "window/display_texture.h"
@@ -97,6 +98,7 @@ FramePlan AccuracyProbe::planFor(int samplesPerPixel, int mapSize) {
 void AccuracyProbe::beginSubject() {
     technique_ = techniqueOf(*subject_, renderer_->programs());
     plan_ = planFor(subject_->samplesPerPixel, subject_->mapSize);
+    drawWarmUp(*renderer_, *planner_, *technique_, plan_->request, View::Final);
 }
 
 std::optional<ProbePoint> AccuracyProbe::draw() {

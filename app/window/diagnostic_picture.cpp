@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "frame/warm_up.h"
 #include "window/display_texture.h"
 #include "window/session.h"
 
@@ -57,6 +58,7 @@ void DiagnosticPicture::begin(Session& session, std::vector<double> key, const P
     if (!renderer_) renderer_.emplace();
     technique_ = techniqueOf(subject, renderer_->programs());
     const FrameRequest small = smallCopyOf(session.request, longestSide);
+    drawWarmUp(*renderer_, *session.planner, *technique_, small, View::Visibility);
     plan_ = session.planner->plan(small);
     if (ofError_) {
         FrameRequest many = small;

@@ -59,9 +59,13 @@ bool FrameDriver::update(const Wanted& wanted, double now) {
     const bool better = refine_ && !moving && state_ != State::Failed;
     if (changed) toMeasure_ = 0;
     if (changed || better) {
+        toSettle_ = wanted.technique->settlingFrames();
         begin(wanted, level);
     } else if (toMeasure_ > 0 && state_ == State::Complete && level_ == 0) {
         --toMeasure_;
+        begin(wanted, 0);
+    } else if (toSettle_ > 0 && state_ == State::Complete && level_ == 0 && !moving) {
+        --toSettle_;
         begin(wanted, 0);
     } else if (state_ != State::Drawing) {
         return false;
@@ -129,7 +133,7 @@ void FrameDriver::fail(const char* what) {
     for (int i = 0; i < 100 && glGetError() != GL_NO_ERROR; ++i) {}
     failure_ = what;
     state_ = State::Failed;
-    toMeasure_ = 0;
+    toMeasure_ = toSettle_ = 0;
     refine_ = false;
     picture_ = nullptr;
 }
@@ -151,7 +155,7 @@ void FrameDriver::measure(int pictures) {
 }
 
 std::optional<double> FrameDriver::sleep(double now) const {
-    if (state_ == State::Drawing || toMeasure_ > 0) return 0.0;
+    if (state_ == State::Drawing || toMeasure_ > 0 || (toSettle_ > 0 && state_ == State::Complete && level_ == 0)) return 0.0;
     if (refine_) return std::max(0.0, settleSeconds - (now - lastChange_));
     return std::nullopt;
 }

@@ -81,6 +81,7 @@ class FrameDriver {
     bool refine_ = false;
     bool hasPlan_ = false;
     int toMeasure_ = 0;
+    int toSettle_ = 0;  ///< draws of the same moment still to come, for a technique with a history
     int begun_ = 0;
     std::string failure_;
     std::string techniqueName_, techniqueView_;

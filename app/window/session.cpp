@@ -29,6 +29,7 @@ void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
     ++sceneNumber;
     request = newRequest;
     camera.reset();
+    technique->forget();
     savedViews.clear();
     const bool playing = playback.playing();
     playback.setLoop(scene->duration(), request.shutter.framesPerSecond);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "frame/warm_up.h"
 #include "measure/display_encoding.h"
 #include "measure/embree_peer.h"
 #include "measure/reference.h"
@@ -82,18 +83,22 @@ class SceneSweep {
     }
 
   private:
-    FramePlan planFor(const SweepPoint& point, int round) {
+    FrameRequest requestFor(const SweepPoint& point, int round) const {
         FrameRequest request = scene_.request;
         request.samplesPerPixel = point.effort;
         request.mapSize = point.mapSize;
         request.seed = scene_.request.seed + static_cast<std::uint32_t>(round);
-        return planner_.plan(request);
+        return request;
     }
+
+    FramePlan planFor(const SweepPoint& point, int round) { return planner_.plan(requestFor(point, round)); }
 
     /// A draw to warm up (shaders, buffers of this size, caches), then the one that counts.
     void draw(Subject& subject, int round) {
+        const bool hasHistory = warmUpCount(*subject.technique) > 0;
+        drawWarmUp(renderer_, planner_, *subject.technique, requestFor(subject.point, round), View::Final);
         const FramePlan plan = planFor(subject.point, round);
-        if (subject.technique->renders() == 1) renderer_.draw(plan, *subject.technique, View::Final);
+        if (subject.technique->renders() == 1 && !hasHistory) renderer_.draw(plan, *subject.technique, View::Final);
         renderer_.timer().finishFrame();
         renderer_.draw(plan, *subject.technique, View::Final);
         std::map<std::string, double> times;
@@ -135,6 +140,7 @@ class SceneSweep {
         row.biasAndNoise = biasAndNoise(subject.images, reference_);
         VerificationOptions how;
         how.checkPrimaries = subject.technique->renders() == 1;
+        drawWarmUp(renderer_, planner_, *subject.technique, requestFor(subject.point, 0), View::Final);
         row.verification = verifyFrame(renderer_, planFor(subject.point, 0), *subject.technique, how);
         renderer_.timer().finishFrame();
     }

@@ -2,7 +2,7 @@
 
 namespace timeshade {
 
-void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant) {
+void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const glm::mat3& mapFromPlane) {
     const int size = plan.request.mapSize;
     if (!depth_ || depth_->width() != size) {
         depth_ = gl::Texture::array2D("shadow map", GL_DEPTH_COMPONENT32F, size, size, 1);
@@ -22,6 +22,7 @@ void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant) 
     glClearNamedFramebufferfv(target_->name(), GL_DEPTH, 0, &farthest);
     program.use();
     glUniform1f(0, instant);
+    glUniformMatrix3fv(1, 1, GL_FALSE, &mapFromPlane[0][0]);
     glBindVertexArray(mesh.vertices().name());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mesh.triangleCount()), GL_UNSIGNED_INT, nullptr);
     glDisable(GL_DEPTH_TEST);

@@ -5,6 +5,7 @@
 #include "scene/error.h"
 #include "techniques/accumulation/accumulation_shadow.h"
 #include "techniques/exact/exact_shadow.h"
+#include "techniques/history/history_shadow.h"
 #include "techniques/ranges/ranges_shadow.h"
 #include "techniques/static/static_shadow.h"
 #include "techniques/temporal/temporal_shadow.h"
@@ -30,6 +31,7 @@ const std::vector<Entry>& registry() {
         entry<TsmShadow>(),
         entry<AccumulationShadow>(),
         entry<ExactShadow>(),
+        entry<HistoryShadow>(),
         entry<RangesShadow>(),
         entry<TemporalShadow>(),
     };

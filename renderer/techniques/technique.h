@@ -73,6 +73,10 @@ class Technique : public HasSettings {
 
     /// How many frames before the first must be drawn, in order, for that one to be what it would be in a sequence.
     virtual int warmUpFrames() const { return 0; }
+    /// How many times that frame itself is drawn beforehand, as when a window stands still on it.
+    virtual int heldFrames() const { return 0; }
+    /// How often a window draws a still moment again, because the picture goes on getting better.
+    virtual int settlingFrames() const { return 0; }
     /// Forgets what earlier frames left behind: the next frame has no past.
     virtual void forget() {}
 

@@ -1,5 +1,6 @@
 """Pictures of every scene with every technique on every headless back end."""
 
+import json
 import struct
 import unittest
 import zlib
@@ -70,6 +71,20 @@ class Pictures(ProgramTest):
         quick = ("--size", "96x72", "--spp", "1", "--map", "64")
         self.assertNotEqual(self.shot("chess", "a.png", *quick, "--frame", "10"), self.shot("chess", "b.png", *quick, "--frame", "10.5"))
         self.assertNotEqual(self.shot("pillars", "a.png", *quick, "--frame", "-3"), self.shot("pillars", "b.png", *quick, "--frame=-9"))
+
+    def test_a_history_is_drawn_first(self):
+        """A picture depends on its frame alone, wherever the sequence begins; and it says what was drawn before it."""
+        quick = ("--technique", "history", "--spp", "1", "--size", "96x72", "--map", "128", "--set", "history.warm_up=3")
+        self.succeed("shot", "chess", "-o", "F.png", *quick, "--frame", "10", "--frames", "3")
+        alone = self.shot("chess", "alone.png", *quick, "--frame", "12")
+        self.assertEqual((self.folder / "F.0002.png").read_bytes(), alone)
+        self.assertEqual(alone, self.shot("chess", "again.png", *quick, "--frame", "12"))
+        self.assertNotEqual(alone, self.shot("chess", "cold.png", *quick, "--frame", "12", "--set", "history.warm_up=0"))
+        self.assertNotEqual(alone, self.shot("chess", "held.png", *quick, "--frame", "12", "--set", "history.hold=5"))
+        said = self.succeed("shot", "chess", "-o", "said.png", *quick, "--frame", "12", "--explain", "--json", "said.json")
+        self.assertIn("frames 9 to 11", said)
+        manifest = json.loads((self.folder / "said.json").read_text())
+        self.assertEqual(manifest["warm_up"], {"frames_before": 3, "times_held": 0})
 
     def test_time_is_a_frame_number(self):
         quick = ("--spp", "2", "--size", "96x72", "--map", "128", "--fps", "10")

@@ -13,9 +13,10 @@ import zlib
 PROGRAM = os.environ.get("TIMESHADE", "")
 SCENES = ("chess", "octopus", "pillars")  # those that are files
 COMPUTED = ("cubes", "rising", "frusta", "sphere")
-TECHNIQUES = ("static", "tsm", "accumulation", "exact", "ranges", "temporal")
+TECHNIQUES = ("static", "tsm", "accumulation", "exact", "ranges", "temporal", "history")
 # Small and quick: what these suites test does not depend on the number of pixels.
-QUICK = ("--size", "64x48", "--map", "64", "--spp", "2", "--set", "accumulation.renders=2")
+QUICK = ("--size", "64x48", "--map", "64", "--spp", "2", "--set", "accumulation.renders=2",
+         "--set", "history.warm_up=2")
 
 
 def environment(**changes):

@@ -44,6 +44,13 @@ void forEveryCombination(Technique& technique, const std::function<void()>& draw
     vary(0);
 }
 
+/// Two frames in a row, for a technique that looks back at the first.
+void drawNextFrame(FrameRenderer& renderer, FramePlanner& planner, const std::string& name) {
+    const std::unique_ptr<Technique> technique = makeTechnique(name, renderer.programs());
+    FrameRequest request = ProceduralScene::request(16, 12, 2, 16, 1);
+    for (; request.frame < 2.0; request.frame += 1.0) renderer.draw(planner.plan(request), *technique, View::Final);
+}
+
 /// Draws whatever makes a difference to a shader, on the shared renderer.
 void drawEverything() {
     FrameRenderer& renderer = sharedRenderer();
@@ -54,7 +61,8 @@ void drawEverything() {
         for (const bool directional : {false, true}) {
             const std::unique_ptr<ProceduralScene> scene =
                 makeMovingScene({.quads = 8, .seed = 3, .cameraTurns = turns, .directionalLight = directional});
-            const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(16, 12, 2, 16, 1));
+            FramePlanner planner(*scene);
+            const FramePlan plan = planner.plan(ProceduralScene::request(16, 12, 2, 16, 1));
             ASSERT_EQ(plan.camera.turns, turns);
             ASSERT_EQ(plan.light.projection == Projection::Orthographic, directional);
             for (const TechniqueDescription& description : techniqueDescriptions()) {
@@ -70,6 +78,7 @@ void drawEverything() {
                         renderer.readPicture();
                     }
                 });
+                if (technique->warmUpFrames() > 0) drawNextFrame(renderer, planner, description.name);
             }
         }
     }

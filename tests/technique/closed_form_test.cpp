@@ -71,6 +71,8 @@ TEST_P(ClosedForm, RightOrOffAsItsTraitsSay) {
     const ClosedFormCase& c = closedFormCase(caseName);
     const std::unique_ptr<Technique> technique = makeTechnique(techniqueName, sharedRenderer().programs());
     if (techniqueName == "accumulation") setFromText(*technique, "renders", "64");
+    // A focused map's texels are smaller than those that the expectation knows.
+    if (techniqueName == "history") setFromText(*technique, "fit", "0");
     const CaseResult r = runCase(sharedRenderer(), *technique, c, {8, 512});
     if (r.verdict == Verdict::NotTaken) GTEST_SKIP() << r.reason;
     EXPECT_NE(r.verdict, Verdict::Wrong) << r.value << " measured, " << r.exact << " (tolerance " << r.tolerance << ") is right, " << r.predicted

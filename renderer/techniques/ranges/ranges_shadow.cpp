@@ -32,6 +32,7 @@ void RangesShadow::visitSettings(SettingsVisitor& visitor) {
 SamplingTraits RangesShadow::samplingTraits() const {
     SamplingTraits traits;
     traits.texelCentres = true;
+    traits.extendsToReceiver = !asPublished_;
     traits.biasTexels = static_cast<double>(bias_);
     return traits;
 }

@@ -1,0 +1,241 @@
+#include "techniques/history/history_shadow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "techniques/history/map_raster.h"
+
+namespace timeshade {
+
+namespace {
+
+/// Frames' worth of weight that the past brings while the camera moves: long enough against flicker, short enough to follow.
+constexpr float movingMemory = 8.0f;
+constexpr float stillMemory = 4096.0f;
+/// How fast what is shown is drawn to 0 and 1 once the camera stands: with the square of the frames.
+constexpr float sharpenPerFrame = 1.0f;
+
+constexpr const char* confidenceView = "confidence";
+constexpr const char* lengthView = "history-length";
+constexpr const char* rejectedView = "rejected";
+
+/// Columns right, up, corner.
+glm::mat4 raysOf(const ViewEnd& end) {
+    return glm::mat4(glm::dmat4(glm::dvec4(end.right, 0.0), glm::dvec4(end.up, 0.0), glm::dvec4(end.corner, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0)));
+}
+
+/// Every sample of a pixel has the same truth, 0 or 1, whatever instant the map is of.
+bool hardShadows(const FramePlan& plan) {
+    return plan.block.strata == 1 && plan.motion.movingTriangles == 0 && !plan.motion.lightMoves && !plan.motion.cameraMoves;
+}
+
+} // namespace
+
+const TechniqueDescription& HistoryShadow::describe() {
+    static const TechniqueDescription description{
+        "history", "History buffer with confidence",
+        "A coarse map whose raster changes every frame; each pixel keeps what earlier frames' tests were sure of: converges to "
+        "pixel-sharp shadows where nothing moves.",
+        "Scherzer, Jeschke, Wimmer 2007"};
+    return description;
+}
+
+void HistoryShadow::visitSettings(SettingsVisitor& visitor) {
+    visitor.number("m", m_, 3.0, 0.0, 32.0, "exponent",
+                   "Exponent of the confidence while the camera moves (equation 6). More trusts sure tests alone: sharper, and "
+                   "slower to settle.");
+    visitor.number("m_still", mStill_, 15.0, 0.0, 64.0, "exponent", "The exponent that a still camera comes to.");
+    visitor.number("m_step", mStep_, 1.0, 0.0, 640.0, "exponent in ten frames",
+                   "How fast the exponent rises once the camera stands.");
+    visitor.whole("jitter", jitter_, 1, 0, 2, "kinds",
+                  "How the map's raster changes from frame to frame: 0 not at all, 1 shifted within a texel, 2 also turned. The paper needs 2; its "
+                  "repaired form converges faster with 1, whose shifts are spread evenly for every pixel.");
+    visitor.whole("fit", fit_, 1, 0, 2, "kinds",
+                  "What the map covers: 0 all that the light reaches, 1 what the camera sees of it, 2 that with more texels for what is "
+                  "near (light space perspective shadow maps).");
+    visitor.number("bias", bias_, 0.0625, 0.0, 16.0, "texels",
+                   "How much nearer to the light a caster must be before it counts. The test is made on the receiver's own plane at "
+                   "the texel's centre, so that little is enough; as published 0.5 is usual.");
+    visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
+                   "As published only: further bias in proportion to how steeply the surface falls away from the light.");
+    visitor.whole("pcf_radius", pcfRadius_, 0, 0, 3, "texels",
+                  "Percentage-closer filtering of each frame's test over (2n + 1) x (2n + 1) texels: soft edges; 0 switches it off.");
+    visitor.number("threshold", threshold_, 2.0, 0.0, 1000.0, "thousandths of the distance",
+                   "How far a pixel's past may lie off the receiver's plane (as published: how far its depth may differ) before it is "
+                   "taken for another surface's.");
+    visitor.number("sharpen", sharpen_, 256.0, 1.0, 4096.0, "times",
+                   "With one sample a pixel and nothing moving, what is shown is drawn away from one half by up to this factor once the "
+                   "camera stands; hard shadows know only 0 and 1. 1 switches it off.");
+    visitor.toggle("as_published", asPublished_, false,
+                   "Exponential smoothing in 16-bit numbers, bilinear lookup judged as a whole, depths compared, nothing known of motion.");
+    visitor.whole("warm_up", warmUp_, 16, 0, 64, "frames", "How many frames before a headless picture are drawn to fill the history.");
+    visitor.whole("hold", hold_, 0, 0, 240, "frames",
+                  "How many times a headless picture's own frame is drawn beforehand, as when a window stands still on it.");
+}
+
+SamplingTraits HistoryShadow::samplingTraits() const {
+    SamplingTraits traits;
+    traits.times = SamplingTraits::Times::OneInstant;
+    traits.instants = 1;
+    traits.texelCentres = true;
+    traits.biasTexels = static_cast<double>(bias_);
+    return traits;
+}
+
+std::vector<PassDecision> HistoryShadow::passes(const FramePlan& plan) const {
+    static constexpr const char* rasters[] = {"the same raster every frame", "a raster shifted within a texel", "a raster shifted and turned"};
+    std::vector<PassDecision> passes{
+        {"history", fmt::format("{} frames before the picture's and {} repetitions of it are drawn first; 2 x 16 bytes a pixel", warmUp_, hold_), 0},
+        {"build", fmt::format("one ordinary shadow map with {}, at u = 0.5 where time goes on", rasters[jitter_]), plan.motion.triangles}};
+    if (!asPublished_ && plan.motion.movingTriangles > 0)
+        passes.push_back({"mask", "what moves, seen from the light: pixels behind it lose their past", plan.motion.movingTriangles});
+    if (!asPublished_ && plan.motion.lightMoves) passes.push_back({"mask", "the light moves: every frame begins anew", 0});
+    passes.push_back({"lookup", "all samples of a pixel against that map, merged with the pixel's past", 0});
+    return passes;
+}
+
+std::vector<double> HistoryShadow::settingValues() {
+    std::vector<double> values;
+    for (const Setting& setting : settingsOf(*this)) values.push_back(setting.get());
+    return values;
+}
+
+void HistoryShadow::allocate(const FramePlan& plan) {
+    const int width = plan.request.width, height = plan.request.height;
+    for (auto& buffer : buffers_)
+        if (!buffer || buffer->width() != width || buffer->height() != height) {
+            buffer = gl::Texture::image2D("history", GL_RGBA32F, width, height);
+            glClearTexImage(buffer->name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+        }
+    if (!map_) map_.emplace(programs_);
+    if (!mask_) mask_.emplace(programs_);
+    if (!block_) block_.emplace("history block", sizeof(shared::HistoryBlock));
+    if (!target_) target_.emplace("history target");
+}
+
+/// The triangles as they were, for finding a receiver's place a frame ago.
+void HistoryShadow::uploadPrevious() {
+    const std::shared_ptr<const MeshTexels>& texels = state_.before()->texels;
+    if (uploadedPrevious_ != texels) {
+        const std::span<const glm::vec4> positions(texels->positions);
+        if (!previous_ || previous_->bytes() != positions.size_bytes()) {
+            previous_.emplace("previous triangle positions", positions.size_bytes());
+            previousView_ = gl::Texture::ofBuffer("previous triangle positions", GL_RGBA32F, *previous_);
+        }
+        previous_->upload(positions);
+        uploadedPrevious_ = texels;
+    }
+    previousView_->bind(TECHNIQUE_UNIT + 2);
+}
+
+shared::HistoryBlock HistoryShadow::blockOf(const FramePlan& plan) const {
+    shared::HistoryBlock block{};
+    const glm::dmat3 mapFromPlane = mapRaster(plan, static_cast<MapFit>(fit_), static_cast<MapJitter>(jitter_), sequel_.index);
+    block.mapFromPlane = glm::mat4(glm::mat3(mapFromPlane));
+    block.planeFromMap = glm::mat4(glm::mat3(glm::inverse(mapFromPlane)));
+    if (const HistoryState::Past* before = state_.before()) {
+        block.previousRaysOpen = raysOf(before->camera.open);
+        block.previousRaysClose = raysOf(before->camera.close);
+        block.previousEyeOpen = glm::vec4(glm::dvec4(before->camera.open.eye, 0.0));
+        block.previousEyeClose = glm::vec4(glm::dvec4(before->camera.close.eye, 0.0));
+    }
+    // Where time goes on the middle of the shutter is nearest to all of it; a moment that is held is seen as a whole.
+    const double u = asPublished_ || sequel_.heldFrames == 0 ? 0.5 : radicalInverse(7, static_cast<std::uint32_t>(sequel_.heldFrames));
+    block.instant = plan.block.timeBase + static_cast<float>(u) * static_cast<float>(plan.block.strata) * plan.block.timeScale;
+    block.bias = bias_;
+    block.slopeBias = slopeBias_;
+    const auto still = static_cast<float>(sequel_.stillFrames);
+    block.exponent = std::min(std::max(m_, mStill_), m_ + 0.1f * mStep_ * still);
+    block.weightScale = shared::confidenceWeightScale(block.exponent);
+    // What a moving camera has gathered is blurred: once it stands, that counts no more than one frame.
+    block.memory = sequel_.cameraMoved ? movingMemory : sequel_.cameToRest ? 1.0f : stillMemory;
+    block.sharpness = hardShadows(plan) && pcfRadius_ == 0 ? std::min(sharpen_, 1.0f + sharpenPerFrame * still * still) : 1.0f;
+    block.threshold = 1e-3f * threshold_;
+    block.pcfRadius = static_cast<std::uint32_t>(pcfRadius_);
+    block.asPublished = asPublished_ ? 1u : 0u;
+    block.hasPast = (asPublished_ ? state_.before() != nullptr : sequel_.hasPast) ? 1u : 0u;
+    block.moverMaskSize = sequel_.movers.empty() || asPublished_ ? 0.0f : static_cast<float>(MoverMask::sideFor(plan.request.mapSize));
+    return block;
+}
+
+void HistoryShadow::build(const TechniqueFrame& frame) {
+    allocate(frame.plan);
+    sequel_ = state_.follow(frame.plan, settingValues());
+    const shared::HistoryBlock block = blockOf(frame.plan);
+    block_->upload(std::span<const shared::HistoryBlock>(&block, 1));
+    glBindBufferBase(GL_UNIFORM_BUFFER, TECHNIQUE_BLOCK_BINDING, block_->name());
+    if (sequel_.moved) uploadPrevious();
+    if (block.moverMaskSize > 0.0f) {
+        const auto timed = frame.timer.scope("build/mask");
+        mask_->draw(frame.plan, frame.fullscreen, sequel_.movers);
+    }
+    map_->draw(frame.plan, frame.mesh, block.instant, glm::mat3(block.mapFromPlane));
+}
+
+void HistoryShadow::lookup(const TechniqueFrame& frame) {
+    gl::ShaderDefines defines = viewDefines(frame.plan);
+    if (sequel_.moved) defines.emplace_back("MOVED", "1");
+    const gl::Program& program = programs_.get({"history lookup", "passes/fullscreen.vert", "techniques/history/lookup.frag", defines});
+    const gl::Texture &lit = frame.visibility.lit(), &past = *buffers_[current_];
+    current_ = 1 - current_;
+    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
+    map_->depth().bind(TECHNIQUE_UNIT);
+    past.bind(TECHNIQUE_UNIT + 1);
+    if (sequel_.moved) {
+        previousView_->bind(TECHNIQUE_UNIT + 2);
+        (sequel_.movers.empty() || asPublished_ ? map_->depth() : mask_->depth()).bind(TECHNIQUE_UNIT + 3);
+    }
+    glBindImageTexture(0, lit.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32F);
+    target_->setColorCount(1);
+    target_->attach(GL_COLOR_ATTACHMENT0, *buffers_[current_]);
+    target_->bindForDrawing(past.width(), past.height());
+    frame.fullscreen.draw(program);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+std::vector<TechniqueView> HistoryShadow::views() const {
+    return {{confidenceView, "Confidence of this frame's tests", "", 0.0, 1.0, false},
+            {lengthView, "Frames in the history", "frames", 1.0, 256.0, true},
+            {rejectedView, "Past rejected", "", 0.0, 1.0, false}};
+}
+
+void HistoryShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
+    const auto names = {confidenceView, lengthView, rejectedView};
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end() || !map_) return Technique::drawView(frame, name, values);
+    const gl::Program& program =
+        programs_.get({"history view", "passes/fullscreen.vert", "techniques/history/view.frag", viewDefines(frame.plan)});
+    glBindBufferBase(GL_UNIFORM_BUFFER, TECHNIQUE_BLOCK_BINDING, block_->name());
+    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
+    map_->depth().bind(TECHNIQUE_UNIT);
+    buffers_[current_]->bind(TECHNIQUE_UNIT + 1);
+    program.use();
+    glUniform1ui(0, static_cast<GLuint>(found - names.begin()));
+    target_->setColorCount(1);
+    target_->attach(GL_COLOR_ATTACHMENT0, values);
+    target_->bindForDrawing(values.width(), values.height());
+    frame.fullscreen.draw(program);
+}
+
+std::vector<TechniqueFigure> HistoryShadow::figures() const {
+    return {{"frames with a still camera", static_cast<double>(sequel_.stillFrames), "frames", ""},
+            {"moving triangles", static_cast<double>(sequel_.movers.size()), "triangles", ""}};
+}
+
+std::vector<const gl::Texture*> HistoryShadow::textures() const {
+    std::vector<const gl::Texture*> all;
+    if (map_) all.push_back(&map_->depth());
+    if (buffers_[current_]) all.push_back(&*buffers_[current_]);
+    return all;
+}
+
+std::size_t HistoryShadow::bytes() const {
+    std::size_t sum = (map_ ? map_->bytes() : 0) + (mask_ ? mask_->bytes() : 0) + (block_ ? block_->bytes() : 0) + (previous_ ? previous_->bytes() : 0);
+    for (const auto& buffer : buffers_) sum += buffer ? buffer->bytes() : 0;
+    return sum;
+}
+
+} // namespace timeshade

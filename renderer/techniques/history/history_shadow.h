@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "passes/shadow_map.h"
+#include "shared/history.shared.h"
+#include "techniques/history/history_state.h"
+#include "techniques/history/mover_mask.h"
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+/// Pixel-correct shadow maps with temporal reprojection and shadow test confidence (Scherzer, Jeschke, Wimmer 2007). Each
+/// frame's map has a rasterisation of its own; a pixel keeps what the tests of earlier frames have said of its surface, each
+/// weighted by how near to a texel's centre it fell (equations 5 and 6), and finds it again when the camera moves (equation 4).
+///
+/// As published the past is smoothed exponentially (equation 3), in which no more than 7 tests ever count. Repaired, the sums
+/// of weights and of weighted tests are kept, so that a still picture goes on converging; texels of the history are rejected one by
+/// one by their distance from the receiver's plane; and what is shown of a pixel with one sample is drawn away from one half,
+/// since hard shadows know no other values than 0 and 1. Beyond the paper a receiver is followed where it moves, and a pixel behind
+/// something that has moved (MoverMask) loses its past, as all do when the light has moved. While a moment is held the map's
+/// instant runs through the shutter, so that blurred shadows converge to their mean.
+class HistoryShadow final : public Technique {
+  public:
+    static const TechniqueDescription& describe();
+    explicit HistoryShadow(gl::ProgramCache& programs) : programs_(programs) {}
+
+    const TechniqueDescription& description() const override { return describe(); }
+    void visitSettings(SettingsVisitor& visitor) override;
+    /// Of a frame without a past: an ordinary map of the middle of the shutter.
+    SamplingTraits samplingTraits() const override;
+    std::vector<PassDecision> passes(const FramePlan& plan) const override;
+    int warmUpFrames() const override { return warmUp_; }
+    int heldFrames() const override { return hold_; }
+    int settlingFrames() const override { return 64; }
+    void forget() override { state_.forget(); }
+    void build(const TechniqueFrame& frame) override;
+    void lookup(const TechniqueFrame& frame) override;
+    std::vector<TechniqueView> views() const override;
+    void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
+    std::vector<TechniqueFigure> figures() const override;
+    std::vector<const gl::Texture*> textures() const override;
+    std::size_t bytes() const override;
+
+    /// What the last lookup wrote, RGBA32F: for tests.
+    const gl::Texture& written() const { return *buffers_[current_]; }
+
+  private:
+    std::vector<double> settingValues();
+    shared::HistoryBlock blockOf(const FramePlan& plan) const;
+    void allocate(const FramePlan& plan);
+    void uploadPrevious();
+
+    gl::ProgramCache& programs_;
+    float m_ = 3.0f, mStep_ = 1.0f, mStill_ = 15.0f;
+    int jitter_ = 1, fit_ = 1;
+    float bias_ = 0.0625f, slopeBias_ = 1.0f, threshold_ = 2.0f, sharpen_ = 256.0f;
+    int pcfRadius_ = 0;
+    bool asPublished_ = false;
+    int warmUp_ = 16, hold_ = 0;
+
+    HistoryState state_;
+    FrameSequel sequel_;
+    std::optional<ShadowMap> map_;
+    std::optional<MoverMask> mask_;
+    std::optional<gl::Buffer> block_, previous_;
+    std::optional<gl::Texture> previousView_;
+    std::shared_ptr<const MeshTexels> uploadedPrevious_;
+    std::array<std::optional<gl::Texture>, 2> buffers_;
+    std::size_t current_ = 0;  ///< of the two: what was written last
+    std::optional<gl::Framebuffer> target_;
+};
+
+} // namespace timeshade

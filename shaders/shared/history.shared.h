@@ -1,0 +1,58 @@
+#ifdef __cplusplus
+#pragma once
+#endif
+#include "shared/types.shared.h"
+
+SHARED_BEGIN
+
+#define HISTORY_STRATUM_BITS 5  // the age of a texel is kept above the number of its stratum
+
+/// What the shaders of the technique `history` need beside the frame's own blocks.
+struct HistoryBlock {
+    mat4 mapFromPlane;       // 3 x 3: (s, t, 1) of the light's map plane to this frame's map, homogeneous
+    mat4 planeFromMap;       // its inverse
+    mat4 previousRaysOpen;   // columns 0..2: the world's ray of (s, t, 1) of the camera one frame ago, at u = 0
+    mat4 previousRaysClose;
+    vec4 previousEyeOpen;    // xyz
+    vec4 previousEyeClose;
+    float instant;           // u at which the map is drawn
+    float bias;              // texels
+    float slopeBias;         // half texels of slope; as published only
+    float exponent;          // m of equation 6
+    float weightScale;       // turns conf^m into a weight whose mean is 1
+    float memory;            // the most frames' worth of weight that the past may bring
+    float sharpness;         // factor on the distance from one half of what is shown
+    float threshold;         // of the distance from the camera: a past farther off its surface is another's
+    uint pcfRadius;
+    uint asPublished;
+    uint hasPast;            // 0: nothing of the history may be used
+    float moverMaskSize;     // texels along a side of the mask of moving casters; 0: no mask
+};
+
+/// Equation 5 of Scherzer, Jeschke, Wimmer 2007: 1 where the point falls on a texel's centre, 0 on a texel's border, by the
+/// max norm. `position` in texels, with texel i from i to i + 1.
+SHARED_FUNCTION float shadowTestConfidence(vec2 position) {
+    vec2 fromCentre = abs(fract(position) - SHARED_FLOAT(0.5));
+    return SHARED_FLOAT(1.0) - SHARED_FLOAT(2.0) * max(fromCentre.x, fromCentre.y);
+}
+
+/// Equation 6, conf^m. Over evenly spread positions its mean is 2 / ((m + 1) (m + 2)).
+SHARED_FUNCTION float confidenceWeight(float confidence, float m) {
+    return pow(max(confidence, SHARED_FLOAT(0.0)), m);
+}
+
+/// What makes the mean weight 1 whatever m is, so that sums over frames with different m weigh all frames alike.
+SHARED_FUNCTION float confidenceWeightScale(float m) {
+    return SHARED_FLOAT(0.5) * (m + SHARED_FLOAT(1.0)) * (m + SHARED_FLOAT(2.0));
+}
+
+/// Equation 3: one step of exponential smoothing.
+SHARED_FUNCTION float smoothed(float past, float f, float w) { return w * f + (SHARED_FLOAT(1.0) - w) * past; }
+
+SHARED_END
+
+#ifdef __cplusplus
+namespace timeshade::shared {
+static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 3 * 16, "std140 layout changed: fix both readers");
+}
+#endif
