@@ -81,6 +81,10 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
         return result;
     }
     const SamplingTraits traits = technique.samplingTraits();
+    if (traits.mapFollowsCamera && c.fleeting) {
+        result.reason = "what a map fitted to the picture catches of a caster finer than the light's own texels is not predicted";
+        return result;
+    }
     const double answers = independentAnswers(c, traits, effort.mapSize);
     const int pictures = picturesFor(traits, answers);
     try {

@@ -44,6 +44,8 @@ void StillMap::draw(const FramePlan& plan, const GpuMesh& mesh, const std::vecto
     glClearNamedFramebufferfv(target_->name(), GL_DEPTH, 0, &farthest);
     program.use();
     glUniform1f(0, 0.0f);
+    const glm::mat3 asItIs(1.0f);
+    glUniformMatrix3fv(1, 1, GL_FALSE, &asItIs[0][0]);
     const Runs runs = runsOf(triangles);
     glBindVertexArray(mesh.vertices().name());
     if (!triangles.empty())

@@ -17,6 +17,8 @@ struct SamplingTraits {
     int instants = 0;
     /// Casters are looked at along the line from the light through the middle of the receiver's map texel.
     bool texelCentres = false;
+    /// The map is fitted to what the camera sees: its texels are finer than the light's map by an amount that only the frame knows.
+    bool mapFollowsCamera = false;
     /// A triangle is taken to be over a texel from the first time that it is to the last.
     bool firstAndLast = false;
     /// The depth of a caster seen at another time is moved along its velocity to the receiver's.

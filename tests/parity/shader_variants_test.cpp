@@ -24,24 +24,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every combination of a technique's switches and of its whole numbers with few values. Others keep their defaults, as
-/// they are uniforms; the number of renders is the least, since it changes no shader.
+/// Every combination of a technique's switches, with each of its whole numbers of few values varied in turn (the others at their
+/// defaults), or all together where that makes few. What else there is are uniforms; the number of renders is the least, since it changes
+/// no shader.
 void forEveryCombination(Technique& technique, const std::function<void()>& draw) {
-    std::vector<Setting> varied;
+    std::vector<Setting> switches, numbers;
+    std::size_t together = 1;
     for (Setting& setting : settingsOf(technique)) {
-        if (setting.isSwitch() || (setting.isWhole() && setting.maximum - setting.minimum <= 8.0))
-            varied.push_back(setting);
-        else if (setting.key == "renders")
+        if (setting.isSwitch() || (setting.isWhole() && setting.maximum - setting.minimum <= 8.0)) {
+            (setting.isSwitch() ? switches : numbers).push_back(setting);
+            together *= static_cast<std::size_t>(setting.maximum - setting.minimum) + 1;
+        } else if (setting.key == "renders") {
             setting.set(2.0);
-    }
-    const std::function<void(std::size_t)> vary = [&](std::size_t index) {
-        if (index == varied.size()) return draw();
-        for (double value = varied[index].minimum; value <= varied[index].maximum; value += 1.0) {
-            varied[index].set(value);
-            vary(index + 1);
         }
+    }
+    const auto vary = [](std::vector<Setting>& settings, const std::function<void()>& then) {
+        const std::function<void(std::size_t)> from = [&](std::size_t index) {
+            if (index == settings.size()) return then();
+            for (double value = settings[index].minimum; value <= settings[index].maximum; value += 1.0) {
+                settings[index].set(value);
+                from(index + 1);
+            }
+        };
+        from(0);
     };
-    vary(0);
+    vary(switches, [&] {
+        if (together <= 48) return vary(numbers, draw);
+        for (Setting& number : numbers) {
+            std::vector<Setting> alone{number};
+            vary(alone, draw);
+            number.set(number.defaultValue);
+        }
+    });
 }
 
 /// Two frames in a row, for a technique that looks back at the first.

@@ -81,6 +81,7 @@ SamplingTraits HistoryShadow::samplingTraits() const {
     traits.times = SamplingTraits::Times::OneInstant;
     traits.instants = 1;
     traits.texelCentres = true;
+    traits.mapFollowsCamera = fit_ != 0;
     traits.biasTexels = static_cast<double>(bias_);
     return traits;
 }

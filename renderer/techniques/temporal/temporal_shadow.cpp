@@ -45,14 +45,14 @@ SamplingTraits TemporalShadow::samplingTraits() const {
 std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
     const LightMotion motion = classifyForLight(plan);
     std::vector<PassDecision> passes;
-    if (!motion.still.empty()) passes.push_back({"build/still map", "an ordinary map of what stands still in the light's frame", motion.still.size()});
-    if (coverageMap_) passes.push_back({"build/coverage", "texels that one triangle covers all through the shutter", motion.moving.size()});
+    if (!motion.still.empty()) passes.push_back({"still map", "an ordinary map of what stands still in the light's frame", motion.still.size()});
+    if (coverageMap_) passes.push_back({"coverage", "texels that one triangle covers all through the shutter", motion.moving.size()});
     std::string reason = motion.moving.empty() ? "nothing moves in the light's frame: no tuples" : "when each triangle that moves in the light's frame is where";
     if (motion.bending > 0)
         reason += asPublished_ ? fmt::format("; {} of them turn or deform, so the sides of their prisms are bent, and flat triangles stand for them", motion.bending)
                                : fmt::format("; {} of them turn or deform: times are exact, distances between them within a quarter of a texel as a rule",
                                              motion.bending);
-    passes.push_back({"build/tuples", reason, motion.moving.size()});
+    passes.push_back({"build", reason, motion.moving.size()});
     std::string lookup = "each camera sample against the tuples of its texel that hold its time";
     if (!motion.nearPlane.empty())
         lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane", motion.nearPlane.size())
