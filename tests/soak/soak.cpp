@@ -149,7 +149,7 @@ class Soak {
     FrameRequest request_;
 };
 
-int run(int changes, std::uint32_t seed) {
+int run(int changes, std::uint32_t seed, double allowedGrowth) {
     Soak soak(seed);
     std::size_t peakAtFirst = 0, residentAtFirst = 0;
     const int first = 100;
@@ -170,7 +170,7 @@ int run(int changes, std::uint32_t seed) {
     fmt::print("{} changes: peak {:.1f} MiB after {}, {:.1f} MiB at the end ({:+.2f} %); resident {:.1f} and {:.1f} MiB\n", changes,
                static_cast<double>(peakAtFirst) / 1048576.0, first, static_cast<double>(peak) / 1048576.0, growth,
                static_cast<double>(residentAtFirst) / 1048576.0, static_cast<double>(resident) / 1048576.0);
-    return growth <= 2.0 ? 0 : 1;
+    return growth <= allowedGrowth ? 0 : 1;
 }
 
 } // namespace
@@ -182,5 +182,6 @@ int main(int argumentCount, char** arguments) {
     mallopt(M_TRIM_THRESHOLD, 128 * 1024);
     mallopt(M_ARENA_MAX, 1);
     const int changes = argumentCount > 1 ? std::atoi(arguments[1]) : 2000;
-    return timeshade::run(changes, argumentCount > 2 ? static_cast<std::uint32_t>(std::atoi(arguments[2])) : 1u);
+    const double allowedGrowth = argumentCount > 3 ? std::atof(arguments[3]) : 2.0;  // per cent of the peak after 100 changes
+    return timeshade::run(changes, argumentCount > 2 ? static_cast<std::uint32_t>(std::atoi(arguments[2])) : 1u, allowedGrowth);
 }
