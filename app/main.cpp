@@ -20,6 +20,7 @@ int run(const timeshade::Options& options) {
     switch (options.command) {
     case timeshade::Command::View: return timeshade::runInteractive(options);
     case timeshade::Command::Shot: return timeshade::runShot(options);
+    case timeshade::Command::Record: return timeshade::runRecord(options);
     case timeshade::Command::Pictures: return timeshade::runPictures(options);
     case timeshade::Command::Measure: return timeshade::runMeasure(options);
     case timeshade::Command::Cases: return timeshade::runCases(options);

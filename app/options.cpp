@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <sstream>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "frame_setup.h"
+#include "measure/technique_variant.h"
 #include "scene/error.h"
 #include "scene_catalogue.h"
 #include "scenes/scene_recipe.h"
+#include "settings_file.h"
 #include "techniques/registry.h"
 #include "techniques/technique_views.h"
 
@@ -132,38 +132,13 @@ void checkSettings(const Options& options) {
     }
 }
 
-/// A settings file is a JSON object: keys are the long options without their dashes, and "set" an object of technique
-/// and scene settings. It is turned into arguments that come before those of the command line, which therefore win.
-std::vector<std::string> argumentsOfFile(const std::string& path) {
-    std::ifstream stream(path);
-    std::ostringstream bytes;
-    // A folder opens like a file and fails only when it is read.
-    if (!stream || stream.peek() == std::ifstream::traits_type::eof() || !(bytes << stream.rdbuf()))
-        throw Error(fmt::format("--settings '{}': cannot be read; expected a JSON file of settings", path));
-    nlohmann::json json;
-    try {
-        json = nlohmann::json::parse(bytes.str());
-    } catch (const nlohmann::json::exception&) {
-        throw Error(fmt::format("{}: is not JSON; expected an object of settings", path));
-    }
-    if (!json.is_object()) throw Error(fmt::format("{}: holds a JSON {}; expected an object of settings", path, json.type_name()));
-    const auto text = [](const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); };
-    std::vector<std::string> arguments;
-    for (const auto& [key, value] : json.items()) {
-        if (key == "set" && value.is_object()) {
-            for (const auto& [name, setting] : value.items()) arguments.push_back("--set=" + name + "=" + text(setting));
-        } else if (key == "settings" || key == "help") {
-            throw Error(fmt::format("{}: \"{}\" is not a setting; expected options that say what to draw", path, key));
-        } else if (value.is_primitive() && !value.is_null()) {
-            // Joined, so that a switch's value is not taken for the scene, nor a negative number for an option. But
-            // CLI11 goes on to the next argument where nothing follows the equals sign.
-            arguments.push_back("--" + key + (text(value).empty() ? "" : "=" + text(value)));
-            if (text(value).empty()) arguments.emplace_back();
-        } else {
-            throw Error(fmt::format("{}: \"{}\" is {}; expected a number, a string or a switch", path, key, value.type_name()));
-        }
-    }
-    return arguments;
+void checkCompared(const Options& options) {
+    gl::ProgramCache programs;
+    for (const std::string& variant : options.compared) TechniqueVariant::of(variant).make(options.settings, programs);
+    if (options.compared.empty()) return;
+    if (options.command != Command::View && options.command != Command::Shot && options.command != Command::Record)
+        throw UsageError("--compare: is for pictures; expected view, shot or record");
+    if (options.output.ends_with(".exr")) throw UsageError(fmt::format("-o {}: a comparison has labels; expected a name that ends in .png", options.output));
 }
 
 /// What --view says: one of the program's own views, or one of the technique's.
@@ -213,6 +188,12 @@ void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::ve
     app.add_option("--clip", options.clip, "name of one of the file's animations")->check(notEmpty("a clip's name"))->multi_option_policy(last);
     app.add_option("--view", viewName, "final, visibility, or one of the technique's own (list shows them); for shot also error (against a ray-traced reference) and disagreement")
         ->multi_option_policy(last);
+    app.add_option("--compare", options.compared, "A,B: two techniques in one picture, with settings after colons as in tsm:bias=2,ranges")
+        ->delimiter(',')->expected(2)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    app.add_option("--compare-mode", options.compareMode, "wipe, side, difference")
+        ->transform(oneOf<CompareMode>({{"wipe", CompareMode::Wipe}, {"side", CompareMode::Side}, {"difference", CompareMode::Difference}}))
+        ->multi_option_policy(last);
+    app.add_option("--seam", options.seam, "where a wipe's seam lies: the share of the width that is the first's")->check(numberFrom(0.0, 1.0))->multi_option_policy(last);
     app.add_flag("--explain", options.explain, "print the plan: which passes run, and why");
     app.add_option("--json", options.json, "write a report of the frame")->check(notEmpty("a file name"))->multi_option_policy(last);
     app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of, and on a NaN or an infinity in any buffer");
@@ -238,26 +219,35 @@ void addCaseOptions(CLI::App& app, Options& options, std::vector<std::string>& s
     app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of, and on a NaN or an infinity in any buffer");
 }
 
-/// Replaces every `--settings F` by what the file says, right behind the command's name; of two files the later wins.
-std::vector<std::string> withSettingsFiles(const std::vector<std::string>& arguments) {
-    std::vector<std::string> ofFiles, others;
+/// Takes every `--settings F` out of the arguments. What the files say, in order.
+std::vector<FileSetting> takeSettingsFiles(std::vector<std::string>& arguments) {
+    std::vector<FileSetting> ofFiles;
+    std::vector<std::string> others;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const bool joined = arguments[i].rfind("--settings=", 0) == 0;
         if (!joined && (arguments[i] != "--settings" || i + 1 >= arguments.size())) {
             others.push_back(arguments[i]);
             continue;
         }
-        const std::vector<std::string> more = argumentsOfFile(joined ? arguments[i].substr(11) : arguments[++i]);
+        const std::vector<FileSetting> more = readSettingsFile(joined ? arguments[i].substr(11) : arguments[++i]);
         ofFiles.insert(ofFiles.end(), more.begin(), more.end());
     }
-    const bool startsWithCommand = !others.empty() && others.front().rfind("-", 0) != 0;
-    others.insert(others.begin() + (startsWithCommand ? 1 : 0), ofFiles.begin(), ofFiles.end());
-    return others;
+    arguments = std::move(others);
+    return ofFiles;
+}
+
+/// The arguments with the first `count` settings right behind the command's name, so that the command line wins, and of two files the later.
+std::vector<std::string> withSettings(const std::vector<std::string>& arguments, const std::vector<FileSetting>& settings, std::size_t count) {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < count; ++i) all.insert(all.end(), settings[i].arguments.begin(), settings[i].arguments.end());
+    std::vector<std::string> whole = arguments;
+    whole.insert(whole.begin() + 1, all.begin(), all.end());
+    return whole;
 }
 
 /// `timeshade` alone and `timeshade chess` mean the window.
 void addDefaultCommand(std::vector<std::string>& arguments) {
-    const std::vector<std::string> commands{"view", "shot", "pictures", "verify", "measure", "cases", "list"};
+    const std::vector<std::string> commands{"view", "shot", "record", "pictures", "verify", "measure", "cases", "list"};
     const bool asks = !arguments.empty() && (arguments.front() == "--help" || arguments.front() == "-h" || arguments.front() == "--version");
     if (asks) return;
     const bool known = !arguments.empty() && std::find(commands.begin(), commands.end(), arguments.front()) != commands.end();
@@ -266,16 +256,13 @@ void addDefaultCommand(std::vector<std::string>& arguments) {
 
 } // namespace
 
-Options parseCommandLine(int argumentCount, char** argumentValues) {
+Options parseArguments(const std::vector<std::string>& given) {
     Options options;
+    options.arguments = given;
+    std::vector<std::string> arguments = given;
     std::string size;
     std::vector<std::string> settings;
     std::string viewName = "final", varied;
-    std::vector<std::string> arguments(argumentValues + 1, argumentValues + argumentCount);
-    options.commandLine = "timeshade";
-    for (const std::string& argument : arguments) options.commandLine += " " + argument;
-    addDefaultCommand(arguments);
-    arguments = withSettingsFiles(arguments);
 
     CLI::App app("A real-time laboratory for motion-blurred shadows", "timeshade");
     app.set_version_flag("--version", "timeshade " TIMESHADE_VERSION);
@@ -283,21 +270,34 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     app.option_defaults()->delimiter('\0');
 
     CLI::App* view = app.add_subcommand("view", "open the window");
-    view->add_option("scene", options.scene, scenesInWords());
+    view->add_option("scene,--scene", options.scene, scenesInWords())->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     addFrameOptions(*view, options, size, settings, viewName);
 
     CLI::App* shot = app.add_subcommand("shot", "draw a picture without a window");
-    shot->add_option("scene", options.scene, scenesInWords())->required();
+    shot->add_option("scene,--scene", options.scene, scenesInWords())->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)->required();
     shot->add_option("-o,--output", options.output, "F.png or F.exr")->required();
     shot->add_option("--frames", options.frames, "number of frames to draw, one file each (F.0000.png, ...)")->check(numberFrom(1, 100000));
     addFrameOptions(*shot, options, size, settings, viewName);
+
+    CLI::App* record = app.add_subcommand("record", "draw a video or a sequence of pictures without a window");
+    auto* recordedScene = record->add_option("scene,--scene", options.scene, scenesInWords())->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    record->add_option("-o,--output", options.output, "F.mp4, or a folder for 0000.png, 0001.png, ...")->required();
+    record->add_option("--frames", options.frames, "number of frames (default: one turn of the scene's motion)")->check(numberFrom(1, 1000000));
+    record->add_option("--codec", options.codec, "h264, hevc, av1")
+        ->transform(oneOf<VideoCodec>({{"h264", VideoCodec::H264}, {"hevc", VideoCodec::Hevc}, {"av1", VideoCodec::Av1}}));
+    record->add_option("--quality", options.quality, "0 to 51, less is better and larger (the encoder's CRF)")->check(numberFrom(0, 51));
+    auto* script = record->add_option("--script", options.script, "JSON file of parts with scenes, techniques, wipes and captions (assets/demo.json is one)")
+        ->check(notEmpty("a file name"))->excludes(recordedScene);
+    bool demo = false;
+    record->add_flag("--demo", demo, "the tour of scenes and techniques: assets/demo.json")->excludes(script)->excludes(recordedScene);
+    addFrameOptions(*record, options, size, settings, viewName);
 
     CLI::App* pictures = app.add_subcommand("pictures", "draw every built-in scene into a folder, with a table of times");
     pictures->add_option("-o,--output", options.output, "folder")->required();
     addFrameOptions(*pictures, options, size, settings, viewName);
 
     CLI::App* verify = app.add_subcommand("verify", "compare every camera sample with the ray-traced truth");
-    verify->add_option("scene", options.scene, scenesInWords())->required();
+    verify->add_option("scene,--scene", options.scene, scenesInWords())->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)->required();
     verify->add_option("--dump", options.dump, "folder for the data itself: triangles.csv, light.csv, samples.csv");
     verify->add_option("--max-ppm", options.maxPpm, "exit with 3 if more samples in a million disagree")->check(CLI::Range(0.0, 1e6));
     addFrameOptions(*verify, options, size, settings, viewName);
@@ -337,7 +337,7 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + " (timeshade --help)");
     }
-    options.command = cases->parsed() ? Command::Cases : measure->parsed() ? Command::Measure : verify->parsed() ? Command::Verify : view->parsed() ? Command::View : shot->parsed() ? Command::Shot : pictures->parsed() ? Command::Pictures : Command::List;
+    options.command = cases->parsed() ? Command::Cases : measure->parsed() ? Command::Measure : verify->parsed() ? Command::Verify : view->parsed() ? Command::View : shot->parsed() ? Command::Shot : record->parsed() ? Command::Record : pictures->parsed() ? Command::Pictures : Command::List;
     if (options.command == Command::Measure) {  // small enough to sweep on a software renderer
         options.width = 320;
         options.height = 240;
@@ -355,9 +355,39 @@ Options parseCommandLine(int argumentCount, char** argumentValues) {
         const bool known = path.size() > 4 && (path.ends_with(".png") || path.ends_with(".exr"));
         if (!known) throw UsageError(fmt::format("-o {}: expected a name that ends in .png or .exr", path));
     }
+    if (options.command == Command::Record) {
+        if (demo) options.script = TIMESHADE_SOURCE_DIRECTORY "/assets/demo.json";
+        if (recordedScene->count() == 0 && options.script.empty()) throw UsageError("record: no scene given; expected one, or --script F.json, or --demo");
+    }
     checkSettings(options);
+    checkCompared(options);
     chooseView(viewName, options);
     return options;
+}
+
+Options parseCommandLine(int argumentCount, char** argumentValues) {
+    std::vector<std::string> arguments(argumentValues + 1, argumentValues + argumentCount);
+    std::string typed = "timeshade";
+    for (const std::string& argument : arguments) typed += " " + argument;
+    addDefaultCommand(arguments);
+    const std::vector<FileSetting> ofFiles = takeSettingsFiles(arguments);
+    std::size_t good = 0;
+    try {
+        Options options = parseArguments(withSettings(arguments, ofFiles, ofFiles.size()));
+        options.commandLine = typed;
+        return options;
+    } catch (const UsageError& error) {
+        // The first thing in a file without which all was well is named with its place.
+        for (; good < ofFiles.size(); ++good) {
+            try {
+                parseArguments(withSettings(arguments, ofFiles, good));
+            } catch (const UsageError&) {
+                break;
+            }
+        }
+        if (good == 0) throw;
+        throw UsageError(fmt::format("{}: {}", ofFiles[good - 1].place, error.what()));
+    }
 }
 
 } // namespace timeshade

@@ -5,13 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "compare/compare_mode.h"
 #include "contexts/gl_context.h"
 #include "passes/shade_pass.h"
 #include "plan/frame_request.h"
+#include "record/video_codec.h"
 
 namespace timeshade {
 
-enum class Command { View, Shot, Pictures, Verify, Measure, Cases, List };
+enum class Command { View, Shot, Record, Pictures, Verify, Measure, Cases, List };
 
 /// Pictures of what is wrong with a picture: for `shot` alone.
 enum class Diagnostic { None, Error, Disagreement };
@@ -39,7 +41,15 @@ struct Options {
     std::optional<double> framesPerSecond;  ///< the scene's own where not given
     std::optional<double> shutterLength;    ///< frames; the scene's own where not given
     ShutterPosition shutterPosition = ShutterPosition::Start;
-    int frames = 1;
+    std::optional<int> frames;              ///< one where not given; for `record` one turn of the scene's motion
+
+    std::vector<std::string> compared;  ///< two TechniqueVariants to draw in one picture; empty for `technique` alone
+    CompareMode compareMode = CompareMode::Wipe;
+    double seam = 0.5;                  ///< share of a wipe's width that is the first's
+
+    VideoCodec codec = VideoCodec::H264;
+    int quality = 18;    ///< record: the encoder's constant rate factor, less is better
+    std::string script;  ///< record: JSON file of the parts to draw; empty for the options' own scene
 
     bool explain = false;
     std::string json;   ///< path for a machine-readable report
@@ -55,6 +65,7 @@ struct Options {
     int rounds = 3;               ///< measure: how often each point is timed, each with a seed of its own
     int referenceSamples = 256;   ///< measure: samples per pixel of the reference
     std::string commandLine;      ///< as typed, for manifests
+    std::vector<std::string> arguments;  ///< what was parsed: the command's name first, settings files replaced by what they say
     bool listDevices = false;
     bool listAsJson = false;
     bool debugGl = false;
@@ -63,5 +74,8 @@ struct Options {
 
 /// Reads the command line. Prints help or the version and exits with 0 where asked; throws UsageError otherwise.
 Options parseCommandLine(int argumentCount, char** arguments);
+
+/// The same for arguments that begin with the command's name and hold no --settings.
+Options parseArguments(const std::vector<std::string>& arguments);
 
 } // namespace timeshade

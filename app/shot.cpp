@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "compare/compared_shot.h"
 #include "diagnostic_shot.h"
 #include "frame/frame_renderer.h"
 #include "frame/warm_up.h"
@@ -45,10 +46,17 @@ void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& techni
     while (!renderer.step()) progress.update(renderer.rendersDone());
 }
 
+void sayWritten(const std::filesystem::path& path, double milliseconds, const gl::DeviceInfo& device) {
+    fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), milliseconds, deviceLine(device));
+}
+
 } // namespace
 
 int runShot(const Options& options) {
-    for (int i = 0; i < options.frames; ++i) requireWritable(pathOfFrame(options.output, i, options.frames));
+    if (!options.compared.empty() && (options.diagnostic != Diagnostic::None || !options.techniqueView.empty()))
+        throw UsageError("--compare: shows light; expected --view final or visibility beside it");
+    const int frames = options.frames.value_or(1);
+    for (int i = 0; i < frames; ++i) requireWritable(pathOfFrame(options.output, i, frames));
     if (!options.json.empty()) requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     FrameRequest request = requestFor(options, *scene);
@@ -60,8 +68,17 @@ int runShot(const Options& options) {
     renderer.setChecked(options.debugGl);
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
     FramePlanner planner(*scene);
-    for (int i = 0; i < options.frames; ++i, request.frame += 1.0) {
+    for (int i = 0; i < frames; ++i, request.frame += 1.0) {
         if (options.explain && i == 0) fmt::print("{}", explain(planner.plan(request), *technique, renderer.device()));
+        const std::filesystem::path path = pathOfFrame(options.output, i, frames);
+        if (!options.compared.empty()) {
+            const ComparedShot shot = drawCompared(renderer, planner, request, options, *scene, context->backEnd());
+            watch.requireSilence();
+            writePng(path, shot.picture);
+            if (!options.json.empty() && i + 1 == frames) writeFileAtomically(options.json, shot.manifests);
+            sayWritten(path, shot.milliseconds, renderer.device());
+            continue;
+        }
         drawWarmUp(renderer, planner, *technique, request, options.view);
         FramePlan plan = planner.plan(request);
         std::optional<DisplayImage> diagnostic;
@@ -69,7 +86,6 @@ int runShot(const Options& options) {
             drawWithProgress(renderer, std::move(plan), *technique, options);
         else
             diagnostic = drawDiagnostic(renderer, plan, *technique, options.diagnostic);
-        const std::filesystem::path path = pathOfFrame(options.output, i, options.frames);
         const auto times = renderer.timer().finishFrame();
         watch.requireSilence();
         if (options.explain && i == 0) fmt::print("{}", countedInWords(*technique));
@@ -77,9 +93,8 @@ int runShot(const Options& options) {
             writePng(path, *diagnostic);
         else
             write(renderer, path);
-        fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), gl::totalOf(times),
-                   deviceLine(renderer.device()));
-        if (!options.json.empty() && i + 1 == options.frames) {
+        sayWritten(path, gl::totalOf(times), renderer.device());
+        if (!options.json.empty() && i + 1 == frames) {
             const std::string text = manifest(renderer, *technique, options.scene, *scene, context->backEnd(), times);
             writeFileAtomically(options.json, text);
         }

@@ -131,6 +131,15 @@ class SettingsFiles(ProgramTest):
             with self.subTest(text=text):
                 self.refuse_file(1, text, ("s.json", "expected"))
 
+    def test_the_line_is_named(self):
+        for text, line, mentions in (('{\n "technique": "exact",\n "spp": 0\n}', 3, ("'0'",)),
+                                     ('{\n "set": {\n  "tsm.dynamic_bias": true,\n\n  "tsm.bias": 99}}', 5, ("tsm.bias=99",)),
+                                     ('{"spp": 2,\n "window": {"spp": 5},\n\n "wrong": 1}', 4, ("wrong",)),
+                                     ('{\n\n "frame": 1, "time": 1}', 3, ("time",))):
+            self.refuse_file(2, text, (f"s.json:{line}: ", *mentions))
+        self.refuse_file(1, '{\n "spp": 8,\n oops}', ("s.json:3: ", "expected"))
+        self.refuse_file(1, '{\n "spp": [8]}', ("s.json:2: ", "array", "expected"))
+
     def test_values_in_files(self):
         cases = {'{"nonsense": 8}': ("nonsense",), '{"": 8}': (), '{"spp": 0}': ("spp", "'0'"), '{"spp": "many"}': ("spp", "many"),
                  '{"spp": true}': ("spp", "true"), '{"spp": 8.5}': ("spp", "8.5"), '{"frame": 1e999}': (),

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame/frame_renderer.h"
+#include "options.h"
+#include "scene/scene.h"
+
+namespace timeshade {
+
+struct ComparedShot {
+    DisplayImage picture;
+    std::string manifests;     ///< JSON: an object {"compare": [of the first, of the second]}
+    double milliseconds = 0.0; ///< of both
+};
+
+/// The picture that --compare asks for, of one frame.
+ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request, const Options& options, const Scene& scene, const std::string& backEnd);
+
+} // namespace timeshade

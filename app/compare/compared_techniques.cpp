@@ -1,0 +1,46 @@
+#include "compare/compared_techniques.h"
+
+#include <fmt/format.h>
+
+#include "compare/composed_picture.h"
+#include "frame_setup.h"
+#include "measure/technique_variant.h"
+
+namespace timeshade {
+
+namespace {
+
+/// What a viewer should know of it: its effort, in its own unit.
+std::string labelOf(const std::string& variant, Technique& technique, int samplesPerPixel) {
+    if (technique.renders() > 1) return fmt::format("{}, {} renders", variant, technique.renders());
+    return fmt::format("{}, {} spp", variant, samplesPerPixel);
+}
+
+} // namespace
+
+std::vector<ComparedTechnique> techniquesFor(const Options& options, gl::ProgramCache& programs) {
+    std::vector<ComparedTechnique> techniques;
+    for (const std::string& variant : options.compared) {
+        techniques.push_back({TechniqueVariant::of(variant).make(options.settings, programs), ""});
+        techniques.back().label = labelOf(variant, *techniques.back().technique, options.samplesPerPixel);
+    }
+    if (techniques.empty()) techniques.push_back({techniqueFor(options, programs), ""});
+    return techniques;
+}
+
+DisplayImage composedFor(const Options& options, double seam, const std::vector<ComparedTechnique>& techniques, const std::vector<DisplayImage>& pictures,
+                         const PictureText& text) {
+    if (pictures.size() == 1) return pictures.front();
+    const int width = pictures.front().width;
+    DisplayImage picture = composed(pictures[0], pictures[1], options.compareMode, seam);
+    if (options.compareMode == CompareMode::Difference) {
+        text.drawLabel(picture, fmt::format("4 x |{} − {}|", techniques[0].label, techniques[1].label), 0, width, PictureText::Side::Left);
+        return picture;
+    }
+    const int column = options.compareMode == CompareMode::Side ? width / 2 : seamColumn(width, seam);
+    text.drawLabel(picture, techniques[0].label, 0, column, PictureText::Side::Left);
+    text.drawLabel(picture, techniques[1].label, column, width, PictureText::Side::Right);
+    return picture;
+}
+
+} // namespace timeshade

@@ -1,0 +1,60 @@
+#include "compare/composed_picture.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+
+namespace timeshade {
+
+namespace {
+
+constexpr int amplification = 4;
+
+/// Copies columns [from, from + count) of a picture to those that begin at `to`.
+void copyColumns(const DisplayImage& source, int from, int count, DisplayImage& target, int to) {
+    for (int y = 0; y < source.height; ++y) {
+        const auto row = static_cast<std::ptrdiff_t>(y) * source.width * 3;
+        std::copy_n(source.rgb.begin() + row + 3 * from, 3 * count, target.rgb.begin() + row + 3 * to);
+    }
+}
+
+/// A light line with dark edges, seen on anything.
+void drawSeam(DisplayImage& picture, int column) {
+    for (int x = column - 1; x <= column + 1; ++x) {
+        if (x < 0 || x >= picture.width) continue;
+        const std::uint8_t level = x == column ? 245 : 30;
+        for (int y = 0; y < picture.height; ++y) std::fill_n(picture.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * picture.width + x), 3, level);
+    }
+}
+
+DisplayImage difference(const DisplayImage& first, const DisplayImage& second) {
+    DisplayImage result = first;
+    for (std::size_t i = 0; i < result.rgb.size(); ++i)
+        result.rgb[i] = static_cast<std::uint8_t>(std::min(255, amplification * std::abs(int(first.rgb[i]) - int(second.rgb[i]))));
+    return result;
+}
+
+} // namespace
+
+int seamColumn(int width, double seam) { return static_cast<int>(std::lround(std::clamp(seam, 0.0, 1.0) * width)); }
+
+DisplayImage composed(const DisplayImage& first, const DisplayImage& second, CompareMode mode, double seam) {
+    assert(first.width == second.width && first.height == second.height);
+    if (mode == CompareMode::Difference) return difference(first, second);
+    DisplayImage result = first;
+    const int width = first.width;
+    if (mode == CompareMode::Wipe) {
+        const int column = seamColumn(width, seam);
+        copyColumns(second, column, width - column, result, column);
+        if (column > 0 && column < width) drawSeam(result, column);
+        return result;
+    }
+    const int left = width / 2, right = width - left;
+    copyColumns(first, (width - left) / 2, left, result, 0);
+    copyColumns(second, (width - right) / 2, right, result, left);
+    drawSeam(result, left);
+    return result;
+}
+
+} // namespace timeshade

@@ -1,0 +1,150 @@
+#include "record/child_process.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "record/stop_signals.h"
+#include "scene/error.h"
+#include "scene/one_line.h"
+
+extern char** environ;
+
+namespace timeshade {
+
+namespace {
+
+constexpr int signalsThatGiveUp = 2;  // the first one lets the file be finished
+
+[[noreturn]] void failStarting(const std::string& program, int code) {
+    const std::string expected = code == ENOENT ? fmt::format("; expected the program {} on PATH", program) : "";
+    throw Error(fmt::format("cannot start {}: {}{}", program, std::generic_category().message(code), expected));
+}
+
+/// Gives the child the signals that this process ignores or catches as they were meant.
+class SpawnAttributes {
+  public:
+    SpawnAttributes() {
+        posix_spawnattr_init(&attributes_);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+        posix_spawnattr_setpgroup(&attributes_, 0);
+        sigset_t signals;
+        sigfillset(&signals);
+        posix_spawnattr_setsigdefault(&attributes_, &signals);
+        sigemptyset(&signals);
+        posix_spawnattr_setsigmask(&attributes_, &signals);
+    }
+    ~SpawnAttributes() { posix_spawnattr_destroy(&attributes_); }
+    SpawnAttributes(const SpawnAttributes&) = delete;
+    SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+    const posix_spawnattr_t* get() const { return &attributes_; }
+
+  private:
+    posix_spawnattr_t attributes_;
+};
+
+/// Which of our descriptors become the child's standard ones. All others are closed by themselves.
+class SpawnActions {
+  public:
+    SpawnActions(int input, int log) {
+        posix_spawn_file_actions_init(&actions_);
+        posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
+        posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_adddup2(&actions_, log, STDERR_FILENO);
+    }
+    ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
+    SpawnActions(const SpawnActions&) = delete;
+    SpawnActions& operator=(const SpawnActions&) = delete;
+    const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+  private:
+    posix_spawn_file_actions_t actions_;
+};
+
+} // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command) {
+    std::vector<std::string> words = command;
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    // A socket, since writing to one whose reader is gone can be told to raise no signal.
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) failStarting(command.front(), errno);
+    input_ = ends[0];
+    log_ = ::memfd_create("child's standard error", MFD_CLOEXEC);
+    const SpawnActions actions(ends[1], log_);
+    const SpawnAttributes attributes;
+    const int failure = log_ < 0 ? errno : ::posix_spawnp(&id_, arguments.front(), actions.get(), attributes.get(), arguments.data(), environ);
+    ::close(ends[1]);
+    if (failure == 0) return;
+    id_ = -1;
+    closeInput();
+    if (log_ >= 0) ::close(log_);
+    failStarting(command.front(), failure);
+}
+
+ChildProcess::~ChildProcess() {
+    kill();
+    ::close(log_);
+}
+
+bool ChildProcess::feed(std::span<const char> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR && StopSignals::count() < signalsThatGiveUp) continue;
+        if (sent < 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(sent));
+    }
+    return true;
+}
+
+bool ChildProcess::finish() {
+    closeInput();
+    wait();
+    return WIFEXITED(status_) && WEXITSTATUS(status_) == 0;
+}
+
+void ChildProcess::kill() {
+    if (id_ > 0) ::kill(id_, SIGKILL);
+    closeInput();
+    wait();
+}
+
+void ChildProcess::closeInput() {
+    if (input_ >= 0) ::close(std::exchange(input_, -1));
+}
+
+void ChildProcess::wait() {
+    while (id_ > 0) {
+        const pid_t ended = ::waitpid(id_, &status_, 0);
+        if (ended < 0 && errno == EINTR) {
+            if (StopSignals::count() >= signalsThatGiveUp) ::kill(id_, SIGKILL);
+            continue;
+        }
+        id_ = -1;
+    }
+}
+
+std::string ChildProcess::lastWords() {
+    std::string text(4096, '\0');
+    const off_t size = ::lseek(log_, 0, SEEK_END);
+    const ssize_t length = ::pread(log_, text.data(), text.size(), size > 4096 ? size - 4096 : 0);
+    text.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == ' ')) text.pop_back();
+    text.erase(0, text.find_last_of("\r\n") + 1);
+    const std::string how = WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_)) : fmt::format("exit code {}", WEXITSTATUS(status_));
+    return text.empty() ? how : how + ": " + oneLine(text, 200);
+}
+
+} // namespace timeshade

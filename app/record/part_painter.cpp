@@ -1,0 +1,71 @@
+#include "record/part_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "frame/warm_up.h"
+#include "frame_setup.h"
+#include "record/camera_path.h"
+#include "record/stop_signals.h"
+
+namespace timeshade {
+
+namespace {
+
+int oneTurn(const Scene& scene, const FrameRequest& request) {
+    return std::max(1, static_cast<int>(std::lround(scene.duration() * request.shutter.framesPerSecond)));
+}
+
+} // namespace
+
+PartPainter::PartPainter(FrameRenderer& renderer, const ScriptPart& part, const Scene& scene, const PictureText& text)
+    : renderer_(renderer), part_(part), scene_(scene), text_(text), planner_(scene), first_(requestFor(part.drawn, scene)),
+      techniques_(techniquesFor(part.drawn, renderer.programs())) {
+    // A turn begins at its beginning, not where the scene looks best.
+    if (!part.drawn.frame && !part.drawn.seconds) first_.frame = 0.0;
+    frames_ = part.frames > 0 ? part.frames : oneTurn(scene, first_);
+    if (part.cameraTo.empty()) return;
+    Options there = part.drawn;
+    there.camera = part.cameraTo;
+    cameraTo_ = requestFor(there, scene).cameraIndex;
+}
+
+FrameRequest PartPainter::requestNow() const {
+    FrameRequest request = first_;
+    request.frame += done_ * part_.step;
+    if (cameraTo_) {
+        const double seconds = request.shutter.openSeconds(request.frame);
+        const double share = frames_ > 1 ? static_cast<double>(done_) / (frames_ - 1) : 0.0;
+        request.cameraPose = between(scene_.camera(request.cameraIndex, seconds), scene_.camera(*cameraTo_, seconds), eased(share));
+    }
+    return request;
+}
+
+std::optional<DisplayImage> PartPainter::next() {
+    const FrameRequest request = requestNow();
+    std::vector<DisplayImage> pictures;
+    for (const ComparedTechnique& compared : techniques_) {
+        if (done_ == 0) drawWarmUp(renderer_, planner_, *compared.technique, request, part_.drawn.view);
+        std::optional<DisplayImage> picture = drawn(*compared.technique, request);
+        if (!picture) return std::nullopt;
+        pictures.push_back(std::move(*picture));
+    }
+    const double share = frames_ > 1 ? static_cast<double>(done_) / (frames_ - 1) : 0.0;
+    DisplayImage picture = composedFor(part_.drawn, easedThrough(part_.seams, share), techniques_, pictures, text_);
+    text_.drawCaption(picture, part_.title, part_.caption);
+    ++done_;
+    return picture;
+}
+
+std::optional<DisplayImage> PartPainter::drawn(Technique& technique, const FrameRequest& request) {
+    renderer_.begin(planner_.plan(request), technique, part_.drawn.view, part_.drawn.techniqueView);
+    while (StopSignals::count() == 0) {
+        if (!renderer_.step()) continue;
+        renderer_.timer().finishFrame();  // nobody asks how long it took
+        return renderer_.readPicture();
+    }
+    return std::nullopt;
+}
+
+} // namespace timeshade

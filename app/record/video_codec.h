@@ -1,0 +1,7 @@
+#pragma once
+
+namespace timeshade {
+
+enum class VideoCodec { H264, Hevc, Av1 };
+
+} // namespace timeshade

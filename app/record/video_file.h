@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "record/child_process.h"
+#include "record/frame_sink.h"
+#include "record/video_codec.h"
+
+namespace timeshade {
+
+struct VideoFormat {
+    int width = 640, height = 360;  ///< even: colour is kept at half the resolution, as every player expects
+    double framesPerSecond = 24.0;
+    VideoCodec codec = VideoCodec::H264;
+    int quality = 18;  ///< the encoder's constant rate factor, 0 .. 51: less is better and larger
+};
+
+/// An MP4 file, made by the program ffmpeg from raw frames. It grows under a temporary name beside the path and is renamed when
+/// whole. Should this process be killed, ffmpeg closes the temporary file, which can then be played.
+class VideoFile final : public FrameSink {
+  public:
+    /// Throws Error where ffmpeg can't be started or the path can't be written to, UsageError for an odd size.
+    VideoFile(std::filesystem::path path, const VideoFormat& format);
+    /// Takes the temporary file away unless it has been renamed.
+    ~VideoFile() override;
+
+    void add(const DisplayImage& frame) override;
+    void finish() override;
+    std::string kept() const override { return path_.string(); }
+
+  private:
+    [[noreturn]] void fail();
+
+    std::filesystem::path path_, part_;
+    ChildProcess encoder_;
+    int frames_ = 0;
+};
+
+} // namespace timeshade
