@@ -18,6 +18,7 @@ FrameRequest requestFor(const Options& options, const Scene& scene) {
     request.shutter.length = options.shutterLength.value_or(scene.defaults().shutterLength);
     request.shutter.position = options.shutterPosition;
     request.frame = options.seconds ? *options.seconds * request.shutter.framesPerSecond : options.frame.value_or(scene.defaults().frame);
+    request.cameraPose = options.pose;
     if (options.camera.empty()) return request;
     std::string known;
     for (std::size_t i = 0; i < scene.cameras().size(); ++i) {

@@ -23,6 +23,7 @@
 #include "scene_catalogue.h"
 #include "window/controls.h"
 #include "window/session.h"
+#include "window/settings_io.h"
 #include "window/ui_dump.h"
 #include "window/ui_window.h"
 
@@ -71,6 +72,7 @@ class Interactive {
     void reportState(int width, int height);
     void drawCompared(const gl::Texture& compared, const Area& area);
     void takeScreenshot();
+    void handleSettings();
 
     GLFWwindow* window_;
     UiWindow ui_;
@@ -113,6 +115,7 @@ void Interactive::drawFrame(int width, int height) {
     drawTransportBar(session_, widgets, layout.transport);
     drawOverlays(session_, widgets, layout.picture);
     session_.applyWishes();
+    handleSettings();
 
     const auto pixels = [&](float units) { return std::clamp(static_cast<int>(std::lround(units * ui_.pixelsPerUnit())), 1, maximumImageSide); };
     session_.request.width = pixels(layout.picture.size.x);
@@ -164,10 +167,33 @@ void Interactive::takeScreenshot() {
         if (!compared.complete() && session_.renderer.techniqueView()) picture = withScale(picture, *session_.renderer.techniqueView());
         writePng(path, picture);
         session_.lastScreenshot = path.string();
+        ++session_.screenshots;
         session_.notify("Saved " + path.string());
     } catch (const std::exception& error) {
         session_.notify(error.what(), true);
     }
+}
+
+void Interactive::handleSettings() {
+    try {
+        if (session_.wishedSave) {
+            saveSettings(session_, session_.settingsPath);
+            session_.notify("Saved " + std::filesystem::absolute(session_.settingsPath).lexically_normal().string());
+        }
+        if (session_.wishedLoad) {
+            loadSettings(session_, *session_.wishedLoad);
+            session_.notify("Loaded " + *session_.wishedLoad);
+        }
+        if (session_.wishedCommand) {
+            session_.lastCommand = commandOf(session_);
+            ImGui::SetClipboardText(session_.lastCommand.c_str());
+            session_.notify("Copied: " + session_.lastCommand);
+        }
+    } catch (const std::exception& error) {
+        session_.notify(error.what(), true);
+    }
+    session_.wishedSave = session_.wishedCommand = false;
+    session_.wishedLoad.reset();
 }
 
 void Interactive::reportState(int width, int height) {
@@ -199,6 +225,8 @@ void Interactive::reportState(int width, int height) {
     dump_.state("view", session_.viewName());
     dump_.state("diagnostic", {diagnostics[static_cast<int>(session_.diagnostic)], driver.settled() && session_.diagnosticPicture.complete()});
     dump_.state("screenshot", session_.lastScreenshot);
+    dump_.state("saved", session_.screenshots);
+    dump_.state("command", session_.lastCommand);
     dump_.state("panels", session_.panelsVisible);
     dump_.state("keys", keysHandled_);
 }

@@ -10,6 +10,7 @@
 
 #include "frame_setup.h"
 #include "measure/technique_variant.h"
+#include "options_text.h"
 #include "scene/error.h"
 #include "scene_catalogue.h"
 #include "scenes/scene_recipe.h"
@@ -146,8 +147,9 @@ void chooseView(const std::string& name, Options& options) {
     if (name == "visibility") options.view = View::Visibility;
     if (name == "final" || name == "visibility") return;
     if (name == "error" || name == "disagreement") {
-        if (options.command != Command::Shot || !options.output.ends_with(".png"))
-            throw UsageError(fmt::format("--view {}: is for `shot` with a .png file; expected final or visibility here", name));
+        const bool shown = options.command == Command::View || (options.command == Command::Shot && options.output.ends_with(".png"));
+        if (!shown)
+            throw UsageError(fmt::format("--view {}: is for the window and for `shot` with a .png file; expected final or visibility here", name));
         options.diagnostic = name == "error" ? Diagnostic::Error : Diagnostic::Disagreement;
         return;
     }
@@ -185,6 +187,9 @@ void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::ve
         ->check(numberFrom(0, 1000))->multi_option_policy(last);
     app.add_option("--set", settings, "NAME.KEY=VALUE of a technique or a computed scene, as in tsm.bias=0.5 or cubes.count=2000, repeatable (list shows the keys)")->allow_extra_args(false);
     app.add_option("--camera", options.camera, "name of one of the scene's cameras")->check(notEmpty("a camera's name"))->multi_option_policy(last);
+    app.add_option_function<std::string>("--pose", [&options](const std::string& text) { options.pose = poseFromText(text); },
+                                         "a camera of one's own: 14 numbers, as the window's \"Copy command line\" writes them")
+        ->multi_option_policy(last);
     app.add_option("--clip", options.clip, "name of one of the file's animations")->check(notEmpty("a clip's name"))->multi_option_policy(last);
     app.add_option("--view", viewName, "final, visibility, or one of the technique's own (list shows them); for shot also error (against a ray-traced reference) and disagreement")
         ->multi_option_policy(last);
@@ -365,29 +370,33 @@ Options parseArguments(const std::vector<std::string>& given) {
     return options;
 }
 
+Options parseWithSettings(const std::vector<std::string>& arguments, const std::vector<FileSetting>& settings) {
+    try {
+        return parseArguments(withSettings(arguments, settings, settings.size()));
+    } catch (const UsageError& error) {
+        // The first setting without which all was well is named with its place.
+        std::size_t good = 0;
+        for (; good < settings.size(); ++good) {
+            try {
+                parseArguments(withSettings(arguments, settings, good));
+            } catch (const UsageError&) {
+                break;
+            }
+        }
+        if (good == 0) throw;
+        throw UsageError(fmt::format("{}: {}", settings[good - 1].place, error.what()));
+    }
+}
+
 Options parseCommandLine(int argumentCount, char** argumentValues) {
     std::vector<std::string> arguments(argumentValues + 1, argumentValues + argumentCount);
     std::string typed = "timeshade";
     for (const std::string& argument : arguments) typed += " " + argument;
     addDefaultCommand(arguments);
     const std::vector<FileSetting> ofFiles = takeSettingsFiles(arguments);
-    std::size_t good = 0;
-    try {
-        Options options = parseArguments(withSettings(arguments, ofFiles, ofFiles.size()));
-        options.commandLine = typed;
-        return options;
-    } catch (const UsageError& error) {
-        // The first thing in a file without which all was well is named with its place.
-        for (; good < ofFiles.size(); ++good) {
-            try {
-                parseArguments(withSettings(arguments, ofFiles, good));
-            } catch (const UsageError&) {
-                break;
-            }
-        }
-        if (good == 0) throw;
-        throw UsageError(fmt::format("{}: {}", ofFiles[good - 1].place, error.what()));
-    }
+    Options options = parseWithSettings(arguments, ofFiles);
+    options.commandLine = typed;
+    return options;
 }
 
 } // namespace timeshade

@@ -10,8 +10,11 @@
 #include "passes/shade_pass.h"
 #include "plan/frame_request.h"
 #include "record/video_codec.h"
+#include "scene/camera.h"
 
 namespace timeshade {
+
+struct FileSetting;
 
 enum class Command { View, Shot, Record, Pictures, Verify, Measure, Cases, List };
 
@@ -26,6 +29,7 @@ struct Options {
     std::string technique = "tsm";
     std::vector<std::pair<std::string, std::string>> settings;  ///< "tsm.bias", "0.5"
     std::string camera;  ///< name of one of the scene's cameras; empty for the first
+    std::optional<CameraPose> pose;  ///< instead: a camera of one's own, held still
     std::string clip;    ///< name of one of the file's animations; empty for the first
     View view = View::Final;
     Diagnostic diagnostic = Diagnostic::None;
@@ -77,5 +81,8 @@ Options parseCommandLine(int argumentCount, char** arguments);
 
 /// The same for arguments that begin with the command's name and hold no --settings.
 Options parseArguments(const std::vector<std::string>& arguments);
+
+/// The same with settings of files behind the command's name; a wrong one is named with its place.
+Options parseWithSettings(const std::vector<std::string>& arguments, const std::vector<FileSetting>& settings);
 
 } // namespace timeshade

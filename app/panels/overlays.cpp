@@ -50,7 +50,7 @@ void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 12> keys{{{"space", "play or pause"},
+    static constexpr std::array<std::array<const char*, 2>, 15> keys{{{"space", "play or pause"},
                                                                       {"left, right", "a frame back or on"},
                                                                       {"1 .. 9", "technique"},
                                                                       {"V", "next view"},
@@ -61,6 +61,9 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
                                                                       {"right-drag", "pan (or Shift and drag)"},
                                                                       {"wheel", "zoom"},
                                                                       {"Ctrl-click", "type into a slider"},
+                                                                      {"Ctrl-C", "copy the command line of this picture"},
+                                                                      {"Ctrl-S", "save settings"},
+                                                                      {"Ctrl-O", "load settings"},
                                                                       {"Ctrl-Q", "quit"}}};
     beginBox("keys", picture, {0.5f, 0.5f}, 600.0f * widgets.scale(), ImGui::GetStyle().Colors[ImGuiCol_Border]);
     if (ImGui::BeginTable("keys", 2)) {

@@ -23,5 +23,6 @@ void drawCameraPanel(Session& session, Widgets& widgets);
 void drawTimesPanel(Session& session, Widgets& widgets);
 void drawAccuracyPanel(Session& session, Widgets& widgets);
 void drawPlanPanel(Session& session, Widgets& widgets);
+void drawSettingsPanel(Session& session, Widgets& widgets);
 
 } // namespace timeshade

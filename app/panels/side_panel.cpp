@@ -47,6 +47,7 @@ void drawSidePanel(Session& session, Widgets& widgets, const Area& area) {
         drawTimesPanel(session, widgets);
         drawAccuracyPanel(session, widgets);
         drawPlanPanel(session, widgets);
+        drawSettingsPanel(session, widgets);
     }
     ImGui::End();
 }

@@ -45,11 +45,19 @@ void applyKey(Session& session, int key) {
     }
 }
 
+void applyControlKey(Session& session, int key) {
+    const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl-C is the field's then
+    if (key == GLFW_KEY_S) session.wishedSave = true;
+    if (key == GLFW_KEY_O) session.wishedLoad = session.settingsPath;
+    if (key == GLFW_KEY_C && !typing) session.wishedCommand = true;
+}
+
 } // namespace
 
 bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
     for (const KeyPress& press : keys) {
         if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL) != 0) return true;
+        if ((press.mods & GLFW_MOD_CONTROL) != 0) applyControlKey(session, press.key);
         const bool typing = ImGui::GetIO().WantTextInput;
         if (!typing && (press.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0) applyKey(session, press.key);
     }

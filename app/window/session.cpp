@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "frame_setup.h"
+#include "options_text.h"
 #include "scene/error.h"
 #include "scene_catalogue.h"
 #include "techniques/registry.h"
@@ -15,7 +17,7 @@ namespace timeshade {
 
 Session::Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName)
     : options(givenOptions), backEnd(std::move(backEndName)), driver(renderer), technique(techniqueFor(options, renderer.programs())),
-      view(options.view), techniqueView(options.techniqueView) {
+      view(options.view), techniqueView(options.techniqueView), diagnostic(options.diagnostic) {
     adopt(std::move(firstScene), options.scene);
 }
 
@@ -29,6 +31,7 @@ void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
     ++sceneNumber;
     request = newRequest;
     camera.reset();
+    if (request.cameraPose) camera.emplace(*request.cameraPose, scene->bounds());
     technique->forget();
     savedViews.clear();
     const bool playing = playback.playing();
@@ -59,6 +62,7 @@ void Session::openWished(const std::string& name) {
         std::unique_ptr<Scene> opened = computed != nullptr ? computed->make() : openScene(name, "");
         // The next scene gets its own time, shutter and cameras; what is about the picture stays as it is.
         options.camera.clear();
+        options.pose.reset();
         options.clip.clear();
         options.frame.reset();
         options.seconds.reset();
@@ -73,6 +77,50 @@ void Session::openWished(const std::string& name) {
     } catch (const std::exception& error) {
         sceneError = error.what();
     }
+}
+
+void Session::become(const Options& wanted) {
+    std::unique_ptr<Scene> opened = openScene(wanted.scene, wanted.clip, wanted.settings);
+    requestFor(wanted, *opened);  // throws for a camera that is not there
+    std::unique_ptr<Technique> made = techniqueFor(wanted, renderer.programs());
+    const Options before = std::exchange(options, wanted);
+    options.command = before.command;
+    options.context = before.context;
+    technique = std::move(made);
+    figures_.clear();
+    keptSettings.clear();
+    recipe = nullptr;
+    recipes_.clear();
+    view = options.view;
+    techniqueView = options.techniqueView;
+    diagnostic = options.diagnostic;
+    adopt(std::move(opened), options.scene);
+    sceneError.clear();
+}
+
+void Session::addKeptSettings(SettingTexts& settings) {
+    // Those that were never touched in this window are still as the options say.
+    const auto taken = [&](const std::string& name) { return std::any_of(settings.begin(), settings.end(), [&](const auto& s) { return s.first == name; }); };
+    const auto isOf = [](const std::string& name, const std::string& owner) { return name.starts_with(owner + "."); };
+    SettingTexts others;
+    for (const auto& [name, values] : keptSettings) {
+        if (name == technique->description().name) continue;
+        const std::unique_ptr<Technique> other = makeTechnique(name, renderer.programs());
+        std::vector<Setting> all = settingsOf(*other);
+        for (std::size_t i = 0; i < std::min(all.size(), values.size()); ++i) {
+            all[i].set(values[i]);
+            others.emplace_back(name + "." + all[i].key, textOf(all[i]));
+        }
+    }
+    for (const auto& [name, other] : recipes_)
+        if (other && other.get() != recipe)
+            for (const Setting& setting : settingsOf(*other)) others.emplace_back(name + "." + setting.key, textOf(setting));
+    for (const auto& [name, value] : options.settings) {
+        const bool shown = isOf(name, technique->description().name) || (recipe != nullptr && isOf(name, recipe->settingsPrefix()));
+        const bool newer = std::any_of(others.begin(), others.end(), [&](const auto& s) { return s.first == name; });
+        if (!shown && !newer && !taken(name)) settings.emplace_back(name, value);
+    }
+    settings.insert(settings.end(), others.begin(), others.end());
 }
 
 void Session::chooseWished(const std::string& name) {

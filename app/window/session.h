@@ -10,6 +10,7 @@
 #include "frame/frame_renderer.h"
 #include "options.h"
 #include "scene/scene.h"
+#include "scene_catalogue.h"
 #include "scenes/scene_recipe.h"
 #include "techniques/technique.h"
 #include "window/accuracy.h"
@@ -35,6 +36,10 @@ struct Session {
 
     /// Does what was asked for since the last frame.
     void applyWishes();
+    /// Opens what the options say, as at a start. Throws and stays as it is where that can't be.
+    void become(const Options& wanted);
+    /// Settings of techniques and scenes that are not shown now, where they are not at their defaults.
+    void addKeptSettings(SettingTexts& settings);
     /// Moves the clock on. `now` in seconds.
     void advance(double now);
     FrameDriver::Wanted wanted(bool mouseHeld);
@@ -65,6 +70,7 @@ struct Session {
     SceneRecipe* recipe = nullptr;  ///< of a computed scene; null for a file. Its settings are the sliders' own.
     std::unique_ptr<FramePlanner> planner;
     int sceneNumber = 0;
+    std::string settingsPath = "timeshade-settings.json";  ///< what is typed in the field of settings files
     std::string scenePath;   ///< what is typed in the field
     std::string sceneError;  ///< one line, why the last one could not be opened
 
@@ -87,10 +93,15 @@ struct Session {
     std::optional<std::string> wishedScene, wishedTechnique;
     bool wishedRebuild = false;  ///< the recipe's settings have changed
     bool wishedScreenshot = false;
+    bool wishedSave = false;     ///< of the settings
+    bool wishedCommand = false;  ///< the command line into the clipboard
+    std::optional<std::string> wishedLoad;  ///< path of a settings file
+    std::string lastCommand;
     bool panelsVisible = true;
     bool keysVisible = false;
     double textScale = 1.0;  ///< the user's own, on top of the display's
     std::string lastScreenshot;
+    int screenshots = 0;  ///< saved so far
     std::optional<Notice> notice;
     double now = 0.0;
 

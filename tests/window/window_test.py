@@ -1,5 +1,7 @@
 """The real window, used as a person uses it."""
 
+import os
+import pathlib
 import shutil
 import struct
 import subprocess
@@ -74,6 +76,75 @@ class Techniques(WindowTest):
     def assert_picture(self, picture):
         levels = sorted(picture.grey())
         self.assertGreater(levels[-len(levels) // 50] - levels[len(levels) // 50], 40, "the picture is of one colour")
+
+
+def headless(command, folder):
+    """Runs a command line that the window has copied, in a shell and without a display."""
+    names = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    script = f"timeshade() {{ {PROGRAM!r} \"$@\"; }}\n{command}"
+    done = subprocess.run(["bash", "-c", script], cwd=folder, env=names, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, f"{command}\n{done.stderr}"
+
+
+class SettingsFiles(WindowTest):
+    def copied(self, window):
+        window.key("ctrl+c")
+        return window.wait(lambda dump: dump["state"]["command"], "the command line")["state"]["command"]
+
+    def picture(self, window):
+        window.key("p")
+        path = window.wait(lambda dump: dump["state"]["screenshot"] and dump["state"]["saved"] > self.saved, "a saved picture")
+        self.saved = path["state"]["saved"]
+        return pathlib.Path(path["state"]["screenshot"]).read_bytes()
+
+    def test_pictures_come_back_by_command_and_by_file(self):
+        self.saved = 0
+        window = self.open("pillars", "--technique", "tsm", *QUICK)
+        window.settle()
+        width, height = window.state()["window"]
+        window.drag((PANEL_WIDTH + width) / 2, height / 3, (PANEL_WIDTH + width) / 2 + 60, height / 3 + 20)
+        window.drag_slider("tsm.bias", 0.8)
+        window.drag_slider("shutter", 0.7)
+        window.key("Right", "Right")
+        window.settle(hand_camera=True)
+        first = self.picture(window)
+        command = self.copied(window)
+        for word in ("pillars", "tsm.bias", "--pose", "--shutter"):
+            self.assertIn(word, command)
+        headless(command, window.folder)
+        name = command.split(" -o ")[1]
+        self.assertEqual(first == (window.folder / name).read_bytes(), True, "the command draws the very picture")
+
+        window.key("ctrl+s")
+        path = window.folder / "timeshade-settings.json"
+        window.wait(lambda dump: path.exists(), "the file")
+        # Elsewhere altogether, and back.
+        window.key("4")
+        window.choose("scene", "octopus")
+        window.settle(scene="octopus", hand_camera=False)
+        window.key("ctrl+o")
+        window.settle(scene="pillars", technique="tsm", hand_camera=True)
+        self.assertEqual(self.picture(window) == first, True, "loaded in the same window")
+        size = window.state()["drawn"]
+        # A file that is wrong is named with its line, and nothing changes.
+        broken = path.read_text().replace('"pillars"', '"nowhere"')
+        path.write_text(broken)
+        window.key("ctrl+o")
+        window.wait(lambda dump: "nowhere" in str(dump["widgets"].get("notice", {}).get("value")), "a notice")
+        self.assertEqual(window.state()["scene"], "pillars")
+        path.write_text(broken.replace('"nowhere"', '"pillars"'))
+        file = path.read_text()
+        self.close(window)
+        again = self.open("chess", *QUICK)
+        (again.folder / "timeshade-settings.json").write_text(file)
+        again.key("ctrl+o")
+        again.settle(scene="pillars", drawn=size)
+        self.assertEqual(self.picture_of_new(again) == first, True, "loaded after a restart")
+        self.close(again)
+
+    def picture_of_new(self, window):
+        self.saved = 0
+        return self.picture(window)
 
 
 class Settings(WindowTest):

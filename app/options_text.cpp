@@ -1,0 +1,138 @@
+#include "options_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/error.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr std::array<const char*, 3> positions{"start", "centre", "end"};
+constexpr std::array<const char*, 3> compareModes{"wipe", "side", "difference"};
+
+std::string viewOf(const Options& options) {
+    if (options.diagnostic != Diagnostic::None) return options.diagnostic == Diagnostic::Error ? "error" : "disagreement";
+    if (!options.techniqueView.empty()) return options.techniqueView;
+    return options.view == View::Visibility ? "visibility" : "final";
+}
+
+/// In quotes where a shell would see more than letters in it.
+std::string quoted(const std::string& text) {
+    const std::string harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@";
+    if (!text.empty() && text.find_first_not_of(harmless) == std::string::npos) return text;
+    std::string inQuotes = "'";
+    for (const char c : text) inQuotes += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return inQuotes + "'";
+}
+
+/// Numbers and switches as such, so that people can edit the file.
+nlohmann::ordered_json valueOf(const std::string& text) {
+    if (text == "on" || text == "off") return text == "on";
+    double number = 0.0;
+    const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc{} || rest != text.data() + text.size()) return text;
+    nlohmann::ordered_json json = number;
+    if (number == std::floor(number) && std::abs(number) < 1e15) json = static_cast<std::int64_t>(number);
+    return json;
+}
+
+} // namespace
+
+std::string textOf(const Setting& setting) {
+    if (setting.isSwitch()) return setting.get() != 0.0 ? "on" : "off";
+    if (setting.isWhole()) return fmt::format("{:.0f}", setting.get());
+    const float value = static_cast<float>(setting.get());
+    std::string text = fmt::format("{}", value);
+    return static_cast<float>(std::strtod(text.c_str(), nullptr)) == value ? text : fmt::format("{}", setting.get());
+}
+
+std::string textOf(const CameraPose& pose) {
+    std::string text;
+    const auto append = [&](double number) { text += (text.empty() ? "" : ",") + fmt::format("{}", number); };
+    for (const glm::dvec3& v : {pose.eye, pose.axes[0], pose.axes[1], pose.axes[2]})
+        for (int i = 0; i < 3; ++i) append(v[i]);
+    append(pose.verticalFieldOfView);
+    append(pose.nearDistance);
+    return text;
+}
+
+CameraPose poseFromText(const std::string& text) {
+    const auto refuse = [&] {
+        throw UsageError(fmt::format("--pose {}: expected 14 numbers with commas: eye, right, up and back (3 each, the axes at right angles and of "
+                                     "length 1), field of view in radians, nearest distance", text));
+    };
+    std::array<double, 14> numbers{};
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto [rest, failure] = std::from_chars(at, end, numbers[i]);
+        const bool last = i + 1 == numbers.size();
+        if (failure != std::errc{} || !std::isfinite(numbers[i]) || std::abs(numbers[i]) > 1e9 || (last ? rest != end : rest == end || *rest != ',')) refuse();
+        at = rest + 1;
+    }
+    CameraPose pose;
+    pose.eye = {numbers[0], numbers[1], numbers[2]};
+    for (int i = 0; i < 3; ++i) pose.axes[i] = {numbers[std::size_t(3 + 3 * i)], numbers[std::size_t(4 + 3 * i)], numbers[std::size_t(5 + 3 * i)]};
+    pose.verticalFieldOfView = numbers[12];
+    pose.nearDistance = numbers[13];
+    const glm::dmat3 product = glm::transpose(pose.axes) * pose.axes;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) > 1e-6) refuse();
+    if (glm::determinant(pose.axes) < 0.0 || pose.verticalFieldOfView <= 0.0 || pose.verticalFieldOfView >= 3.14159 || pose.nearDistance <= 0.0) refuse();
+    return pose;
+}
+
+std::vector<PictureWord> pictureWords(const Options& options) {
+    const Options untouched;
+    std::vector<PictureWord> words;
+    const auto add = [&](const std::string& key, const std::string& value) { words.emplace_back(key, value); };
+    if (!options.clip.empty()) add("clip", options.clip);
+    add("technique", options.technique);
+    add("size", fmt::format("{}x{}", options.width, options.height));
+    if (options.samplesPerPixel != untouched.samplesPerPixel) add("spp", fmt::format("{}", options.samplesPerPixel));
+    if (options.mapSize != untouched.mapSize) add("map", fmt::format("{}", options.mapSize));
+    if (options.seed != untouched.seed) add("seed", fmt::format("{}", options.seed));
+    if (options.frame) add("frame", fmt::format("{}", *options.frame));
+    if (options.seconds) add("time", fmt::format("{}", *options.seconds));
+    if (options.framesPerSecond) add("fps", fmt::format("{}", *options.framesPerSecond));
+    if (options.shutterLength) add("shutter", fmt::format("{}", *options.shutterLength));
+    if (options.shutterPosition != untouched.shutterPosition) add("shutter-position", positions[static_cast<std::size_t>(options.shutterPosition)]);
+    if (!options.camera.empty()) add("camera", options.camera);
+    if (options.pose) add("pose", textOf(*options.pose));
+    if (viewOf(options) != "final") add("view", viewOf(options));
+    if (options.compared.size() == 2) {
+        add("compare", options.compared[0] + "," + options.compared[1]);
+        if (options.compareMode != untouched.compareMode) add("compare-mode", compareModes[static_cast<std::size_t>(options.compareMode)]);
+        if (options.seam != untouched.seam) add("seam", fmt::format("{}", options.seam));
+    }
+    return words;
+}
+
+std::string shotCommand(const Options& options, const std::string& output) {
+    std::string command = "timeshade shot " + quoted("--scene=" + options.scene);
+    for (const auto& [key, value] : pictureWords(options)) command += " " + quoted("--" + key + "=" + value);
+    for (const auto& [key, value] : options.settings) command += " --set " + quoted(key + "=" + value);
+    return command + " -o " + quoted(output);
+}
+
+std::string settingsJson(const Options& options, const std::string& windowState) {
+    nlohmann::ordered_json json;
+    json["scene"] = options.scene;
+    for (const auto& [key, value] : pictureWords(options)) {
+        const bool number = key == "spp" || key == "map" || key == "seed" || key == "frame" || key == "time" || key == "fps" || key == "shutter" || key == "seam";
+        json[key] = number ? valueOf(value) : nlohmann::ordered_json(value);
+    }
+    for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);
+    if (!windowState.empty()) json["window"] = nlohmann::ordered_json::parse(windowState);
+    return json.dump(2) + "\n";
+}
+
+} // namespace timeshade

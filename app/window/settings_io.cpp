@@ -1,0 +1,120 @@
+#include "window/settings_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "frame_setup.h"
+#include "image/image_file.h"
+#include "options_text.h"
+#include "scene/error.h"
+#include "scene_catalogue.h"
+#include "settings_file.h"
+#include "techniques/registry.h"
+#include "window/session.h"
+
+namespace timeshade {
+
+namespace {
+
+void addChanged(HasSettings& owner, SettingTexts& settings) {
+    for (const Setting& setting : settingsOf(owner))
+        if (setting.get() != (setting.isWhole() ? setting.defaultValue : double(static_cast<float>(setting.defaultValue))))
+            settings.emplace_back(owner.settingsPrefix() + "." + setting.key, textOf(setting));
+}
+
+std::string windowState(const Session& session) {
+    nlohmann::ordered_json json;
+    json["text_size"] = session.textScale;
+    json["panels"] = session.panelsVisible;
+    for (const SavedView& view : session.savedViews) json["views"].push_back({{"name", view.name}, {"pose", textOf(view.camera.pose())}});
+    return json.dump();
+}
+
+/// What is the window's alone. Values that make no sense are named.
+struct WindowState {
+    double textScale = 1.0;
+    bool panels = true;
+    std::vector<std::pair<std::string, CameraPose>> views;
+};
+
+WindowState windowStateOf(const std::string& text, const std::string& path) {
+    WindowState state;
+    const nlohmann::json whole = nlohmann::json::parse(text);
+    if (!whole.contains("window")) return state;
+    for (const auto& [key, value] : whole["window"].items()) {
+        if (key == "text_size" && value.is_number() && value.get<double>() >= 0.75 && value.get<double>() <= 2.5) {
+            state.textScale = value.get<double>();
+        } else if (key == "panels" && value.is_boolean()) {
+            state.panels = value.get<bool>();
+        } else if (key == "views" && value.is_array()) {
+            for (const nlohmann::json& view : value)
+                if (view.is_object() && view.contains("name") && view["name"].is_string() && view.contains("pose") && view["pose"].is_string())
+                    state.views.emplace_back(view["name"].get<std::string>(), poseFromText(view["pose"].get<std::string>()));
+        } else {
+            throw Error(fmt::format("{}: \"window\" holds \"{}\": {}; expected text_size from 0.75 to 2.5, panels or views", path, key, value.dump()));
+        }
+    }
+    return state;
+}
+
+} // namespace
+
+Options pictureOptions(Session& session) {
+    const FrameRequest& request = session.request;
+    Options options = session.options;
+    options.command = Command::Shot;
+    options.scene = session.sceneName;
+    options.technique = session.technique->description().name;
+    options.settings.clear();
+    addChanged(*session.technique, options.settings);
+    if (session.recipe != nullptr) addChanged(*session.recipe, options.settings);
+    options.width = request.width;
+    options.height = request.height;
+    options.samplesPerPixel = request.samplesPerPixel;
+    options.mapSize = request.mapSize;
+    options.seed = request.seed;
+    options.frame = session.playback.frame();
+    options.seconds.reset();
+    options.framesPerSecond = request.shutter.framesPerSecond;
+    options.shutterLength = request.shutter.length;
+    options.shutterPosition = request.shutter.position;
+    options.camera = request.cameraIndex == 0 ? "" : session.scene->cameras()[request.cameraIndex].name;
+    options.pose.reset();
+    if (session.camera) options.pose = session.camera->pose();
+    options.view = session.view;
+    options.techniqueView = session.techniqueView;
+    options.diagnostic = session.diagnostic;
+    options.output.clear();
+    return options;
+}
+
+std::string commandOf(Session& session) {
+    const std::filesystem::path scene(session.sceneName);
+    Options options = pictureOptions(session);
+    // A path is meant from where the window was started, and is to hold elsewhere too.
+    if (scene.has_extension() && std::filesystem::exists(scene)) options.scene = std::filesystem::absolute(scene).lexically_normal().string();
+    return shotCommand(options, session.screenshotName());
+}
+
+void saveSettings(Session& session, const std::string& path) {
+    Options options = pictureOptions(session);
+    session.addKeptSettings(options.settings);
+    const std::string text = settingsJson(options, windowState(session));
+    writeFileAtomically(path, text);
+}
+
+void loadSettings(Session& session, const std::string& path) {
+    const std::string text = textOfFile(path, "settings");
+    const std::vector<FileSetting> settings = settingsOfJson(text, path);
+    const WindowState state = windowStateOf(text, path);
+    session.become(parseWithSettings({"view"}, settings));
+    session.textScale = state.textScale;
+    session.panelsVisible = state.panels;
+    for (const auto& [name, pose] : state.views) session.savedViews.push_back({name, OrbitCamera(pose, session.scene->bounds())});
+}
+
+} // namespace timeshade
