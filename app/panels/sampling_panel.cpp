@@ -66,7 +66,8 @@ void drawSamplingPanel(Session& session, Widgets& widgets) {
     seed.maximum = 100.0;
     seed.format = "%d";
     seed.help = "Of all random numbers. The same seed gives the same picture.";
-    int value = static_cast<int>(std::min(session.request.seed, 0x7fffffffu));
+    // ImGui's sliders stop the program where an end lies beyond half of the whole numbers.
+    int value = static_cast<int>(std::min(session.request.seed, 0x3fffffffu));
     if (value > 100) seed.maximum = value;
     if (widgets.slider("seed", "Seed", value, seed)) session.request.seed = static_cast<std::uint32_t>(value);
 }

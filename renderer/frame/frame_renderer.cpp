@@ -14,6 +14,9 @@ namespace timeshade {
 
 namespace {
 
+/// A frame of any technique needs fewer than twenty; a window that goes through all of them would have met sixty.
+constexpr std::size_t programsKept = 32;
+
 /// OpenGL's rows go upwards, a picture's downwards.
 template <typename T, typename Source>
 void copyRowsUpsideDown(const std::vector<Source>& rgba, int width, int height, std::vector<T>& rgb, Source factor) {
@@ -66,6 +69,7 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
         throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
     std::optional<TechniqueView> own;
     if (!techniqueView.empty()) own = viewOf(technique, techniqueView);
+    programs_.keepLatest(programsKept);
     plan_ = std::move(plan);
     technique_ = &technique;
     techniqueView_ = std::move(own);

@@ -10,6 +10,9 @@ namespace timeshade::gl {
 
 namespace {
 
+constexpr int smallRequestsBorne = 32;
+constexpr std::size_t smallBuffer = 1 << 20;  // bytes; not worth giving back
+
 double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
 
 std::size_t limitOf(GLenum name) {
@@ -22,9 +25,25 @@ std::size_t limitOf(GLenum name) {
 
 GrowingBuffer::GrowingBuffer(std::string labelText, GLenum texelFormat) : label_(std::move(labelText)), format_(texelFormat) {}
 
+bool GrowingBuffer::isFarTooLarge(std::size_t elements) {
+    const std::size_t held = buffer_->bytes();
+    if (held <= smallBuffer || elements * bytesPerTexel(format_) >= held / 4) {
+        smallRequests_ = 0;
+        largestLately_ = 0;
+        return false;
+    }
+    largestLately_ = std::max(largestLately_, elements);
+    return ++smallRequests_ >= smallRequestsBorne;
+}
+
 void GrowingBuffer::reserve(std::size_t elements, const std::string& advice) {
     const std::size_t each = bytesPerTexel(format_);
-    if (buffer_ && buffer_->bytes() >= elements * each) return;
+    if (buffer_ && isFarTooLarge(elements))
+        elements = largestLately_;
+    else if (buffer_ && buffer_->bytes() >= elements * each)
+        return;
+    smallRequests_ = 0;
+    largestLately_ = 0;
     const std::size_t largestBlock = limitOf(GL_MAX_SHADER_STORAGE_BLOCK_SIZE), mostTexels = limitOf(GL_MAX_TEXTURE_BUFFER_SIZE);
     if (elements * each > largestBlock)
         throw LimitError(fmt::format("'{}' needs {:.0f} MiB for {} entries; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {:.0f} MiB: {}", label_,

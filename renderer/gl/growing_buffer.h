@@ -9,14 +9,15 @@
 
 namespace timeshade::gl {
 
-/// A buffer that shaders write as a storage block and read through a buffer texture, and that grows when more is asked of it. What it
-/// held is lost then.
+/// A buffer that shaders write as a storage block and read through a buffer texture. It grows when more is asked of it, and shrinks when
+/// for 32 requests in a row less than a quarter of it was asked for: one heavy scene does not hold its memory for ever. What
+/// it held is lost in both cases, so that any reserve() may lose it.
 class GrowingBuffer {
   public:
     /// `texelFormat`: one of the formats of bytesPerTexel; an element is one texel.
     GrowingBuffer(std::string labelText, GLenum texelFormat);
 
-    /// Room for `elements`, and 3 % more when it has to grow. Throws LimitError where the device's storage blocks, buffer textures or
+    /// Room for `elements`, and 3 % more when it is made anew. Throws LimitError where the device's storage blocks, buffer textures or
     /// memory do not take so many; the line names what was wanted, the limit, and `advice` ("lower --map").
     void reserve(std::size_t elements, const std::string& advice);
 
@@ -26,8 +27,12 @@ class GrowingBuffer {
     std::size_t bytes() const { return buffer_ ? buffer_->bytes() : 0; }
 
   private:
+    bool isFarTooLarge(std::size_t elements);
+
     std::string label_;
     GLenum format_;
+    std::size_t largestLately_ = 0;  ///< elements asked for by the small requests in a row
+    int smallRequests_ = 0;
     std::optional<Buffer> buffer_;
     std::optional<Texture> view_;
 };

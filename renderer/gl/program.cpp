@@ -83,7 +83,7 @@ std::vector<std::string> ProgramDescription::stages() const {
 
 Program::Program(const ProgramDescription& description) : Object(link(description)) {
     label(GL_PROGRAM, name(), description.label);
-    built().push_back(description);
+    if (std::find(built().begin(), built().end(), description) == built().end()) built().push_back(description);
 }
 
 const std::vector<ProgramDescription>& programsBuilt() { return built(); }

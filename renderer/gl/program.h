@@ -21,6 +21,8 @@ struct ProgramDescription {
     std::string geometry = {};
     std::string compute = {};  ///< alone: a program either draws or computes
 
+    bool operator==(const ProgramDescription&) const = default;
+
     /// The stages that are there, first to last.
     std::vector<std::string> stages() const;
 };
@@ -32,7 +34,7 @@ class Program : public Object<DeleteProgram> {
     void use() const { glUseProgram(name()); }
 };
 
-/// Every program built so far in this process, for the test that hands each to an independent validator.
+/// Every program built so far in this process, each once, for the test that hands each to an independent validator.
 const std::vector<ProgramDescription>& programsBuilt();
 
 } // namespace timeshade::gl

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -7,13 +9,23 @@
 
 namespace timeshade::gl {
 
-/// Programs by description, each built at its first use and kept as long as the cache.
+/// Programs by description, each built at its first use and kept until it is dropped. A software renderer holds about a megabyte
+/// of machine code and more for each, times the kinds of textures that it has met.
 class ProgramCache {
   public:
+    /// Valid until the next call of keepLatest(): ask again for every use, and set all uniforms.
     const Program& get(const ProgramDescription& description);
+    /// Drops all but the `count` programs that were asked for last.
+    void keepLatest(std::size_t count);
+    std::size_t size() const { return programs_.size(); }
 
   private:
-    std::map<std::string, Program> programs_;
+    struct Entry {
+        Program program;
+        std::uint64_t lastUse;
+    };
+    std::map<std::string, Entry> programs_;
+    std::uint64_t uses_ = 0;
 };
 
 } // namespace timeshade::gl

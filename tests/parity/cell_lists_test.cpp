@@ -117,5 +117,23 @@ TEST(GrowingBuffer, GrowsAndNamesTheLimitThatItMeets) {
     EXPECT_EQ(buffer.bytes(), before) << "a refusal costs nothing";
 }
 
+TEST(GrowingBuffer, GivesBackWhatIsNeededNoMore) {
+    gl::GrowingBuffer buffer("entries", GL_R32UI);
+    const std::size_t mebi = std::size_t{1} << 20;
+    buffer.reserve(4 * mebi, "");
+    const std::size_t large = buffer.bytes();
+    for (int i = 0; i < 31; ++i) buffer.reserve(i == 7 ? mebi / 2 : 1, "");
+    EXPECT_EQ(buffer.bytes(), large) << "kept for a while";
+    buffer.reserve(2 * mebi, "");
+    for (int i = 0; i < 31; ++i) buffer.reserve(i == 7 ? mebi / 2 : 1, "");
+    EXPECT_EQ(buffer.bytes(), large) << "a large request begins the count anew";
+    buffer.reserve(1, "");
+    EXPECT_LT(buffer.bytes(), large / 7);
+    EXPECT_GE(buffer.bytes(), mebi / 2 * sizeof(GLuint)) << "the largest of the latest requests fits";
+    const std::size_t small = buffer.bytes();
+    for (int i = 0; i < 100; ++i) buffer.reserve(mebi / 2, "");
+    EXPECT_EQ(buffer.bytes(), small) << "what fits well is left alone";
+}
+
 } // namespace
 } // namespace timeshade

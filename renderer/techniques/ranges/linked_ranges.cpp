@@ -40,7 +40,7 @@ void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion)
         glNamedBufferSubData(triangles_.buffer().name(), 0, static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)), motion.moving.data());
     heads_.reserve(texels_, advice);
     rangeHeads_.reserve(texels_, advice);
-    fragmentList_.reserve(1, advice);
+    fragmentList_.reserve(std::max<std::size_t>(std::min(fragments_, capacity_), 1), advice);  // as many as the last frame had room for
     glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
     glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
     {
