@@ -12,18 +12,23 @@ namespace timeshade {
 /// Reversed depth, as in StochasticRasterizer. All triangles are drawn, from both sides.
 class ShadowMap {
   public:
-    explicit ShadowMap(gl::ProgramCache& programs) : programs_(programs) {}
+    /// `keepsTriangles`: beside the depth the number of the triangle that it is of, R32UI, 4 bytes a texel.
+    explicit ShadowMap(gl::ProgramCache& programs, bool keepsTriangles = false) : programs_(programs), keepsTriangles_(keepsTriangles) {}
     /// The frame's uniforms must be bound. `mapFromPlane` takes (s, t, 1) of the light's map plane to the map, homogeneous
     /// with a weight that is positive inside it: a rotation, a shift, a perspective warp. What is stored is the reversed depth
     /// divided by that weight.
     void draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const glm::mat3& mapFromPlane = glm::mat3(1.0f));
     const gl::Texture& depth() const { return *depth_; }
-    std::size_t bytes() const { return depth_ ? depth_->bytes() : 0; }
+    bool keepsTriangles() const { return keepsTriangles_; }
+    /// NO_TRIANGLE where nothing was drawn. Only of a map that keeps them.
+    const gl::Texture& triangles() const { return *triangles_; }
+    std::size_t bytes() const { return (depth_ ? depth_->bytes() : 0) + (triangles_ ? triangles_->bytes() : 0); }
 
   private:
     gl::ProgramCache& programs_;
     std::optional<gl::Framebuffer> target_;
-    std::optional<gl::Texture> depth_;
+    bool keepsTriangles_;
+    std::optional<gl::Texture> depth_, triangles_;
 };
 
 } // namespace timeshade

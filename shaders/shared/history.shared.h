@@ -5,7 +5,12 @@
 
 SHARED_BEGIN
 
+#define MAP_TRIANGLES_UNIT 14    // texture unit: the triangles that this frame's map saw
 #define HISTORY_STRATUM_BITS 5  // the age of a texel is kept above the number of its stratum
+
+// Frames' worth of weight, at most; keeps a float's sum exact enough to go on for ever. Twice that stands for proof.
+#define HISTORY_LARGEST_WEIGHT 4096.0
+#define HISTORY_PROVEN_WEIGHT 8192.0
 
 /// What the shaders of the technique `history` need beside the frame's own blocks.
 struct HistoryBlock {
@@ -26,7 +31,11 @@ struct HistoryBlock {
     uint pcfRadius;
     uint asPublished;
     uint hasPast;            // 0: nothing of the history may be used
+    uint triesTriangles;     // 1: the triangles that the map saw are tried against the receiver's own ray
+    uint keepsProof;         // 1: what is proven dark stays so until something moves
     float moverMaskSize;     // texels along a side of the mask of moving casters; 0: no mask
+    uint awaitsProof;        // 1: and there is time to find it, so that an edge that is missed means lit
+    uint padding;
 };
 
 /// Equation 5 of Scherzer, Jeschke, Wimmer 2007: 1 where the point falls on a texel's centre, 0 on a texel's border, by the
@@ -53,6 +62,6 @@ SHARED_END
 
 #ifdef __cplusplus
 namespace timeshade::shared {
-static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 3 * 16, "std140 layout changed: fix both readers");
+static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 4 * 16, "std140 layout changed: fix both readers");
 }
 #endif

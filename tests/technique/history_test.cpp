@@ -61,6 +61,13 @@ FrameRequest stillRequest(int width, int height, int mapSize) {
 
 std::unique_ptr<HistoryShadow> makeHistory() { return std::make_unique<HistoryShadow>(sharedRenderer().programs()); }
 
+/// One jittered map's answers, without a history.
+std::unique_ptr<HistoryShadow> makeJitteredMap() {
+    auto technique = makeHistory();
+    setFromText(*technique, "try_triangles", "off");
+    return technique;
+}
+
 std::vector<float> drawnLit(const FramePlan& plan, Technique& technique) {
     sharedRenderer().draw(plan, technique, View::Visibility);
     return sharedRenderer().readVisibility();
@@ -116,6 +123,7 @@ TEST(Confidence, IsThatOfTheTurnedMap) {
     const FramePlan plan = FramePlanner(*scene).plan(stillRequest(24, 18, 64));
     const auto technique = makeHistory();
     setFromText(*technique, "jitter", "2");
+    setFromText(*technique, "try_triangles", "off");  // whose hits are sure anywhere
     for (std::uint32_t frame = 0; frame < 4; ++frame) {
         const std::vector<float> view = drawnView(plan, *technique, "confidence");
         const glm::dmat3 map = mapRaster(plan, MapFit::Seen, MapJitter::ShiftAndTurn, frame);
@@ -216,6 +224,19 @@ TEST(HistoryStill, BlurredShadowsConvergeToTheirShare) {
         const double mean = std::accumulate(lit.begin(), lit.end(), 0.0) / static_cast<double>(lit.size());
         EXPECT_NEAR(mean, c.exact, 0.03) << name;  // 100 instants, weighted by 1 to 7 effective tests a texel
     }
+}
+
+/// A caster's edge is where it is from the first frame on, however coarse the map: its triangle is tried against each pixel's own ray.
+TEST(HistoryStill, EdgesAreSharpAtOnce) {
+    const auto scene = boardScene();
+    const FramePlan plan = FramePlanner(*scene).plan(stillRequest(160, 120, 64));
+    const std::vector<float> truth = truthOf(plan);
+    const auto technique = makeHistory(), jittered = makeJitteredMap();
+    const double first = meanDifference(drawnLit(plan, *technique), truth);
+    EXPECT_LT(first, 0.05 * meanDifference(drawnLit(plan, *jittered), truth));
+    for (int frame = 2; frame < 20; ++frame) drawnLit(plan, *technique);
+    RecordProperty("after 1, 20", std::to_string(first) + " " + std::to_string(meanDifference(drawnLit(plan, *technique), truth)));
+    EXPECT_EQ(meanDifference(drawnLit(plan, *technique), truth), 0.0);
 }
 
 /// Numerics B.17: 10,000 frames of a constant scene. Lit stays lit, dark stays dark, the edge stays where it is.
@@ -362,7 +383,7 @@ TEST(HistoryMoving, ASlowCameraSeesLittleFlicker) {
         FrameRequest request = stillRequest(128, 96, 48);
         request.frame = frame;
         const FramePlan plan = planner.plan(request);
-        const std::vector<float> truth = truthOf(plan), alone = drawnLit(plan, *makeHistory()), lit = drawnLit(plan, *technique);
+        const std::vector<float> truth = truthOf(plan), alone = drawnLit(plan, *makeJitteredMap()), lit = drawnLit(plan, *technique);
         for (std::size_t i = 0; frame > 8 && i < truth.size(); ++i) {
             if (truth[i] != truthBefore[i]) continue;
             aloneChange += std::abs(static_cast<double>(alone[i] - aloneBefore[i]));
@@ -408,8 +429,8 @@ TEST(HistoryMemory, IsWhatWasPredicted) {
     const auto scene = boardScene();
     const auto technique = makeHistory();
     drawnLit(FramePlanner(*scene).plan(stillRequest(64, 48, 128)), *technique);
-    // Two buffers of 16 bytes a pixel, the map, the uniforms; nothing moves, so there is neither mask nor older mesh.
-    EXPECT_EQ(technique->bytes(), std::size_t{2 * 16 * 64 * 48 + 4 * 128 * 128} + sizeof(shared::HistoryBlock));
+    // Two buffers of 16 bytes a pixel, the map's depths and triangles, the uniforms; nothing moves, so there is neither mask nor older mesh.
+    EXPECT_EQ(technique->bytes(), std::size_t{2 * 16 * 64 * 48 + (4 + 4) * 128 * 128} + sizeof(shared::HistoryBlock));
 }
 
 /// Whatever is seen lies inside the fitted map, in front of the warp's horizon; and where light and camera look along one line

@@ -69,6 +69,9 @@ void HistoryShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.number("sharpen", sharpen_, 256.0, 1.0, 4096.0, "times",
                    "With one sample a pixel and nothing moving, what is shown is drawn away from one half by up to this factor once the "
                    "camera stands; hard shadows know only 0 and 1. 1 switches it off.");
+    visitor.toggle("try_triangles", tryTriangles_, true,
+                   "The triangles that the map saw around a receiver are tried against its own ray to the light, so that edges are sharp whatever the "
+                   "texels. Costs 4 bytes a texel of the map. Not with PCF.");
     visitor.toggle("as_published", asPublished_, false,
                    "Exponential smoothing in 16-bit numbers, bilinear lookup judged as a whole, depths compared, nothing known of motion.");
     visitor.whole("warm_up", warmUp_, 16, 0, 64, "frames", "How many frames before a headless picture are drawn to fill the history.");
@@ -82,6 +85,7 @@ SamplingTraits HistoryShadow::samplingTraits() const {
     traits.instants = 1;
     traits.texelCentres = true;
     traits.mapFollowsCamera = fit_ != 0;
+    traits.extendsToReceiver = triesTriangles();
     traits.biasTexels = static_cast<double>(bias_);
     return traits;
 }
@@ -90,7 +94,8 @@ std::vector<PassDecision> HistoryShadow::passes(const FramePlan& plan) const {
     static constexpr const char* rasters[] = {"the same raster every frame", "a raster shifted within a texel", "a raster shifted and turned"};
     std::vector<PassDecision> passes{
         {"history", fmt::format("{} frames before the picture's and {} repetitions of it are drawn first; 2 x 16 bytes a pixel", warmUp_, hold_), 0},
-        {"build", fmt::format("one ordinary shadow map with {}, at u = 0.5 where time goes on", rasters[jitter_]), plan.motion.triangles}};
+        {"build", fmt::format("one ordinary shadow map with {}, at u = 0.5 where time goes on{}", rasters[jitter_],
+                              triesTriangles() ? "; 8 bytes a texel, with its triangles" : ""), plan.motion.triangles}};
     if (!asPublished_ && plan.motion.movingTriangles > 0)
         passes.push_back({"mask", "what moves, seen from the light: pixels behind it lose their past", plan.motion.movingTriangles});
     if (!asPublished_ && plan.motion.lightMoves) passes.push_back({"mask", "the light moves: every frame begins anew", 0});
@@ -111,7 +116,7 @@ void HistoryShadow::allocate(const FramePlan& plan) {
             buffer = gl::Texture::image2D("history", GL_RGBA32F, width, height);
             glClearTexImage(buffer->name(), 0, GL_RGBA, GL_FLOAT, nullptr);
         }
-    if (!map_) map_.emplace(programs_);
+    if (!map_ || map_->keepsTriangles() != triesTriangles()) map_.emplace(programs_, triesTriangles());
     if (!mask_) mask_.emplace(programs_);
     if (!block_) block_.emplace("history block", sizeof(shared::HistoryBlock));
     if (!target_) target_.emplace("history target");
@@ -158,6 +163,10 @@ shared::HistoryBlock HistoryShadow::blockOf(const FramePlan& plan) const {
     block.pcfRadius = static_cast<std::uint32_t>(pcfRadius_);
     block.asPublished = asPublished_ ? 1u : 0u;
     block.hasPast = (asPublished_ ? state_.before() != nullptr : sequel_.hasPast) ? 1u : 0u;
+    block.triesTriangles = triesTriangles() ? 1u : 0u;
+    // Then every instant of the shutter has the same answer.
+    block.keepsProof = triesTriangles() && plan.block.strata == 1 && plan.motion.movingTriangles == 0 && !plan.motion.lightMoves ? 1u : 0u;
+    block.awaitsProof = block.keepsProof != 0u && sequel_.stillFrames > 0 ? 1u : 0u;
     block.moverMaskSize = sequel_.movers.empty() || asPublished_ ? 0.0f : static_cast<float>(MoverMask::sideFor(plan.request.mapSize));
     return block;
 }
@@ -184,6 +193,8 @@ void HistoryShadow::lookup(const TechniqueFrame& frame) {
     current_ = 1 - current_;
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     map_->depth().bind(TECHNIQUE_UNIT);
+    // An integer texture in any case, as the shader declares it.
+    (map_->keepsTriangles() ? map_->triangles() : frame.samples.ids()).bind(MAP_TRIANGLES_UNIT);
     past.bind(TECHNIQUE_UNIT + 1);
     if (sequel_.moved) {
         previousView_->bind(TECHNIQUE_UNIT + 2);
@@ -212,6 +223,8 @@ void HistoryShadow::drawView(const TechniqueFrame& frame, const std::string& nam
     glBindBufferBase(GL_UNIFORM_BUFFER, TECHNIQUE_BLOCK_BINDING, block_->name());
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     map_->depth().bind(TECHNIQUE_UNIT);
+    // An integer texture in any case, as the shader declares it.
+    (map_->keepsTriangles() ? map_->triangles() : frame.samples.ids()).bind(MAP_TRIANGLES_UNIT);
     buffers_[current_]->bind(TECHNIQUE_UNIT + 1);
     program.use();
     glUniform1ui(0, static_cast<GLuint>(found - names.begin()));

@@ -14,8 +14,6 @@ layout(r32f, binding = 0) uniform image2DArray visibility;
 // surface along the ray of its image position. w: frames merged and the number of the stratum it was seen in.
 layout(location = 0) out vec4 outputHistory;
 
-const float LARGEST_WEIGHT = 4096.0;  // frames' worth; keeps a float's sum exact enough to go on for ever
-
 struct Seen {
     bool any;
     uint id;
@@ -25,10 +23,12 @@ struct Seen {
 
 // Nothing that is not a number, not a share or not in front of the camera survives: every test fails for a NaN.
 bool plausible(vec4 h) {
-    return h.y > 0.0 && h.y <= 2.0 * LARGEST_WEIGHT && h.x >= 0.0 && h.x <= h.y * 1.00001 && h.z > 0.0 && h.z < 1e30 && h.w >= 0.0 && h.w < 1e7;
+    return h.y > 0.0 && h.y <= HISTORY_PROVEN_WEIGHT && h.x >= 0.0 && h.x <= h.y * 1.00001 && h.z > 0.0 && h.z < 1e30 && h.w >= 0.0 && h.w < 1e7;
 }
 
 float ageOf(vec4 h) { return floor(h.w / float(1 << HISTORY_STRATUM_BITS)); }
+uint stratumOf(vec4 h) { return uint(h.w) & uint((1 << HISTORY_STRATUM_BITS) - 1); }
+float ageAndStratum(float age, uint stratum) { return min(age, 65535.0) * float(1 << HISTORY_STRATUM_BITS) + float(stratum); }
 
 #ifdef MOVED
 MovingTriangle fetchPrevious(uint id) {
@@ -86,11 +86,11 @@ vec4 reprojected(Seen seen, uvec2 pixel, out bool receiverMoves) {
         if (!(weight > 0.0) || any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(cameraView.size)))) continue;
         vec4 h = texelFetch(past, texel, 0);
         if (!plausible(h)) continue;
-        uint stratum = uint(h.w) & uint((1 << HISTORY_STRATUM_BITS) - 1);
-        vec2 at = (vec2(texel) + samplePattern(uvec2(texel), stratum, frame.seed, SALT_CAMERA).xy) / cameraView.size;
+        vec2 at = (vec2(texel) + samplePattern(uvec2(texel), stratumOf(h), frame.seed, SALT_CAMERA).xy) / cameraView.size;
         vec3 point = eye + rays * vec3(at, 1.0) * h.z;
         float off = published ? abs(h.z - q.z) : abs(dot(normal, point - was.position));
         if (!published && off > history.threshold * q.z) continue;
+        if (!published) h.xy *= min(1.0, history.memory / h.y);  // or what is proven next to it would outweigh all
         sum += weight * vec4(h.xy, off, 0.0);
         weights += weight;
         oldest = min(oldest, ageOf(h));
@@ -119,6 +119,17 @@ void main() {
     bool touched = false;
     float tested = 0.0, litSum = 0.0, weightSum = 0.0, weightedLit = 0.0;
     uint facing = 0u;
+    bool proven = history.keepsProof != 0u;
+#ifndef MOVED
+    if (proven && history.hasPast != 0u) {
+        vec4 before = texelFetch(past, ivec2(pixel), 0);
+        if (plausible(before) && before.y == HISTORY_PROVEN_WEIGHT) {
+            outputHistory = vec4(before.xyz, ageAndStratum(ageOf(before) + 1.0, stratumOf(before)));
+            imageStore(visibility, ivec3(pixel, 0), vec4(0.0));
+            return;
+        }
+    }
+#endif
     for (uint stratum = 0u; stratum < frame.strata; ++stratum) {
         ivec3 place = ivec3(pixel, stratum);
         uint id = texelFetch(sampleIds, place, 0).x;
@@ -134,7 +145,10 @@ void main() {
         }
         ShadowTest test = testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant);
         float weight = max(confidenceWeight(test.confidence, history.exponent), 1e-12);
+        // Where proof can't stay it must not outweigh the other answers.
+        if (history.triesTriangles != 0u && history.keepsProof == 0u) weight = 1.0 / history.weightScale;
         facing |= 1u << stratum;
+        proven = proven && test.proven;
         tested += 1.0;
         litSum += test.lit;
         weightSum += weight;
@@ -181,14 +195,14 @@ void main() {
     } else {
         before.xy *= min(1.0, history.memory / max(before.y, 1e-12));
         vec2 sum = before.xy + history.weightScale * vec2(weightedLit, weightSum) / tested;
-        sum *= min(1.0, LARGEST_WEIGHT / sum.y);
+        sum *= min(1.0, HISTORY_LARGEST_WEIGHT / sum.y);
         outputHistory.xy = vec2(clamp(sum.x, 0.0, sum.y), sum.y);
+        if (proven) outputHistory.xy = vec2(0.0, HISTORY_PROVEN_WEIGHT);
         shown = clamp(0.5 + (outputHistory.x / outputHistory.y - 0.5) * history.sharpness, 0.0, 1.0);
     }
     vec2 position = (vec2(pixel) + samplePattern(pixel, seen.stratum, frame.seed, SALT_CAMERA).xy) / cameraView.size;
     outputHistory.z = distanceOf(seen.receiver, position);
-    float age = hasPast ? min(ageOf(before) + 1.0, 65535.0) : 1.0;
-    outputHistory.w = age * float(1 << HISTORY_STRATUM_BITS) + float(seen.stratum);
+    outputHistory.w = ageAndStratum(hasPast ? ageOf(before) + 1.0 : 1.0, seen.stratum);
 
     if (shown == lit) return;
     for (uint stratum = 0u; stratum < frame.strata; ++stratum) {

@@ -1,11 +1,14 @@
 // The shadow map test of a surface point and how sure it is.
 #include "techniques/history/blocks.glsl"
+#include "shared/segment_triangle.shared.h"
 
 layout(binding = SHADOW_MAP_UNIT) uniform sampler2DArray shadowMap;
+layout(binding = MAP_TRIANGLES_UNIT) uniform usampler2DArray mapTriangles;
 
 struct ShadowTest {
     float lit;         // 0, 1, or the mean over the texels of the filter
     float confidence;  // equation 5; 0 outside the map
+    bool proven;       // a triangle that the ray to the light meets
 };
 
 // The receiver's place in this frame's map, which is turned and shifted (or warped) against the light's map plane.
@@ -43,21 +46,94 @@ float planeDepthAt(WarpedPoint p, vec2 position) {
     return p.plane.depth + clamp(rise, -32.0 * p.m.texel, 32.0 * p.m.texel);
 }
 
+// At a texel's centre; what the map stores there has been divided by the warp's weight, 1 / inverseWeight.
+float planeDepthAtTexel(WarpedPoint p, ivec2 texel, out float inverseWeight) {
+    vec3 q = mat3(history.planeFromMap) * vec3((vec2(texel) + 0.5) / lightView.size, 1.0);
+    inverseWeight = q.z;
+    return planeDepthAt(p, q.xy / q.z);
+}
+
 float litByTexel(WarpedPoint p, ivec2 texel, float publishedDepth) {
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(lightView.size)))) return 1.0;
-    vec3 q = mat3(history.planeFromMap) * vec3((vec2(texel) + 0.5) / lightView.size, 1.0);
-    // What is stored has been divided by the warp's weight there, 1 / q.z.
-    float caster = mapDistance(texelFetch(shadowMap, ivec3(texel, 0), 0).x / q.z);
-    float depth = history.asPublished != 0u ? publishedDepth : planeDepthAt(p, q.xy / q.z) - history.bias * p.m.texel;
-    return depth > caster ? 0.0 : 1.0;
+    float inverseWeight;
+    float planeDepth = planeDepthAtTexel(p, texel, inverseWeight) - history.bias * p.m.texel;
+    float caster = mapDistance(texelFetch(shadowMap, ivec3(texel, 0), 0).x / inverseWeight);
+    return (history.asPublished != 0u ? publishedDepth : planeDepth) > caster ? 0.0 : 1.0;
+}
+
+struct Trial {
+    bool met;      // by the segment from the receiver to the light
+    float height;  // the least of the triangle's heights seen from the receiver, in texels
+};
+
+Trial tryTriangle(MovingTriangle t, Receiver r, float u, vec3 toLight, float texel) {
+    vec3 v0 = vertexFromReceiver(t.open0, t.close0, u, r.position), v1 = vertexFromReceiver(t.open1, t.close1, u, r.position),
+         v2 = vertexFromReceiver(t.open2, t.close2, u, r.position);
+    Trial trial = Trial(segmentMeetsTriangle(toLight, v0, v1, v2, 0.0), 0.0);
+    if (trial.met) return trial;
+    vec3 way = normalize(toLight), edge0 = cross(way, v2 - v1), edge1 = cross(way, v0 - v2), edge2 = cross(way, v1 - v0);
+    float longest = sqrt(max(dot(edge0, edge0), max(dot(edge1, edge1), dot(edge2, edge2))));
+    trial.height = abs(dot(edge1, v2 - v1)) / max(longest * texel, 1e-30);
+    return trial;
+}
+
+// Beyond the paper: the triangles that the four texels around the receiver saw are tried against the receiver's own ray to the
+// light. One that it meets is proof that the receiver is dark, wherever the texel's centre lies. Where none is met, though
+// not all four see something nearer than the receiver's plane, an edge of a shadow runs by: a dark answer is then another
+// point's. Where there is time, whatever is dark finds its proof in the end. Else only a triangle wider than a texel is known to
+// end here, and has not just been followed by one that no texel saw.
+ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
+    ivec2 nearest = ivec2(floor(p.texel)), corner = ivec2(floor(p.texel - 0.5));
+    bool inside = all(greaterThanEqual(nearest, ivec2(0))) && all(lessThan(nearest, ivec2(lightView.size)));
+    ShadowTest test = ShadowTest(1.0, inside ? shadowTestConfidence(p.texel) : 0.0, false);
+    vec3 place = vec3((vec2(corner) + 1.0) / lightView.size, 0.0);
+    uvec4 triangles = textureGather(mapTriangles, place);
+    // No triangle hides its own points: most of what is lit ends here.
+    if (all(equal(triangles, uvec4(r.triangle)))) return test;
+    vec4 stored = textureGather(shadowMap, place);
+    vec3 toLight = towardsLight(r.position, u);
+#ifdef LIGHT_ORTHOGRAPHIC
+    toLight *= lightView.farDistance;
+#endif
+    // The nearest first, in gather's order: (0, 1), (1, 1), (1, 0), (0, 0).
+    ivec2 offset = nearest - corner;
+    int first = offset.y == 1 ? offset.x : 3 - offset.x;
+    uint nearer = 0u, last = NO_TRIANGLE;
+    bool dark = false;
+    for (int k = 0; k < 4; ++k) {
+        int i = first ^ k;
+        uint id = triangles[i];
+        if (id == NO_TRIANGLE || id == r.triangle) continue;
+        ivec2 texel = corner + ivec2(i == 1 || i == 2 ? 1 : 0, i < 2 ? 1 : 0);
+        float inverseWeight;
+        float before = planeDepthAtTexel(p, texel, inverseWeight), caster = mapDistance(stored[i] / inverseWeight);
+        before -= caster;
+        // What is proven needs no bias, so that contacts are right.
+        if (before <= 0.0) continue;
+        if (before > history.bias * p.m.texel) ++nearer;
+        if (id == last) continue;
+        last = id;
+#ifdef LIGHT_ORTHOGRAPHIC
+        float width = p.m.texel;
+#else
+        float width = p.m.texel * caster / p.plane.depth;
+#endif
+        Trial trial = tryTriangle(fetchTriangle(id), r, u, toLight, width);
+        if (trial.met) return ShadowTest(0.0, 1.0, true);
+        if (k == 0 && nearer == 1u && trial.height < 1.0) dark = true;
+    }
+    if (inside && (nearer == 4u || (dark && history.awaitsProof == 0u))) test.lit = 0.0;
+    return test;
 }
 
 ShadowTest testShadow(Receiver r, float u) {
     WarpedPoint p = warpedPointOf(r, u);
+    if (history.triesTriangles != 0u) return tryTriangles(r, u, p);
     ivec2 texel = ivec2(floor(p.texel));
     int radius = int(history.pcfRadius);
     float publishedDepth = p.m.depth - depthBias(p.m, history.bias, history.slopeBias * float(2 * radius + 1));
     ShadowTest test;
+    test.proven = false;
     test.lit = 0.0;
     for (int y = -radius; y <= radius; ++y)
         for (int x = -radius; x <= radius; ++x) test.lit += litByTexel(p, texel + ivec2(x, y), publishedDepth);
