@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #define GLFW_INCLUDE_NONE  // glad declares OpenGL
 #include <GLFW/glfw3.h>
@@ -17,6 +18,7 @@
 #include "gl/debug_log.h"
 #include "image/image_file.h"
 #include "measure/view_scale.h"
+#include "panels/comparison_view.h"
 #include "panels/panels.h"
 #include "report.h"
 #include "scene/error.h"
@@ -72,6 +74,8 @@ class Interactive {
     void reportState(int width, int height);
     void drawCompared(const gl::Texture& compared, const Area& area);
     void takeScreenshot();
+    DisplayImage pictureToSave();
+    std::string manifestToSave();
     void handleSettings();
 
     GLFWwindow* window_;
@@ -88,7 +92,7 @@ void Interactive::wait() {
     if (ui_.events().takeActivity()) framesLeft_ = framesAfterActivity;
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
     const bool busy = framesLeft_ > 0 || session_.playback.playing() || session_.wishedScreenshot;
-    const double untilWork = std::min(session_.driver.sleep(glfwGetTime()).value_or(longestSleep), longestSleep);
+    const double untilWork = std::min({session_.driver.sleep(glfwGetTime()).value_or(longestSleep), session_.comparison.sleep(glfwGetTime()).value_or(longestSleep), longestSleep});
     if (minimised)
         glfwWaitEventsTimeout(longestSleep);
     else if (busy || untilWork <= 0.0)
@@ -122,11 +126,16 @@ void Interactive::drawFrame(int width, int height) {
     session_.request.height = pixels(layout.picture.size.y);
     const ImGuiIO& io = ImGui::GetIO();
     const bool held = mouse_.dragging() || (ImGui::IsAnyItemActive() && io.MouseDown[0]);
-    if (session_.driver.update(session_.wanted(held), session_.now)) framesLeft_ = std::max(framesLeft_, 2);
+    const FrameDriver::Wanted wanted = session_.wanted(held);
+    if (session_.driver.update(wanted, session_.now)) framesLeft_ = std::max(framesLeft_, 2);
+    if (session_.comparison.update(session_, wanted)) framesLeft_ = std::max(framesLeft_, 2);
     // One after the other: a step of each would make the window slower to answer.
     if (session_.diagnosticPicture.update(session_, session_.request.width) || session_.accuracy.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
     if (session_.wishedScreenshot) takeScreenshot();
-    drawPicture(layout.picture);
+    if (session_.comparison.on() && session_.comparison.picture() != nullptr)
+        drawComparison(session_, widgets, layout.picture);
+    else
+        drawPicture(layout.picture);
     reportState(width, height);
     ui_.endFrame();
     dump_.endFrame();
@@ -150,22 +159,38 @@ void Interactive::drawCompared(const gl::Texture& compared, const Area& area) {
     ImGui::GetBackgroundDrawList()->AddImage(id, corner, {corner.x + factor * width, corner.y + factor * height});
 }
 
+DisplayImage Interactive::pictureToSave() {
+    if (session_.comparison.on()) return session_.comparison.composedPicture(session_);
+    if (session_.diagnosticPicture.complete()) return session_.diagnosticPicture.image();
+    const DisplayImage picture = session_.renderer.readPicture();
+    return session_.renderer.techniqueView() ? withScale(picture, *session_.renderer.techniqueView()) : picture;
+}
+
+std::string Interactive::manifestToSave() {
+    if (session_.comparison.on()) return session_.comparison.manifests(session_);
+    return manifest(session_.renderer, *session_.technique, session_.sceneName, *session_.scene, session_.backEnd, session_.driver.times().medians());
+}
+
 void Interactive::takeScreenshot() {
     using State = FrameDriver::State;
     const State state = session_.driver.state();
     if (state == State::Drawing || (state == State::Complete && session_.driver.preview())) return;  // later, when it is whole
+    const bool comparing = session_.comparison.on();
+    if (comparing && !session_.comparison.settled(session_) && state == State::Complete) return;
     session_.wishedScreenshot = false;
     framesLeft_ = framesAfterActivity;
     if (session_.driver.picture() == nullptr) {
         session_.notify("There is no picture to save.", true);
         return;
     }
-    const std::filesystem::path path = std::filesystem::absolute(session_.screenshotName()).lexically_normal();
+    const bool exr = std::exchange(session_.wishedExr, false);
+    std::filesystem::path path = std::filesystem::absolute(session_.screenshotName()).lexically_normal();
+    if (exr) path.replace_extension(".exr");
     try {
-        const DiagnosticPicture& compared = session_.diagnosticPicture;
-        DisplayImage picture = compared.complete() ? compared.image() : session_.renderer.readPicture();
-        if (!compared.complete() && session_.renderer.techniqueView()) picture = withScale(picture, *session_.renderer.techniqueView());
-        writePng(path, picture);
+        if (exr)
+            writeExr(path, comparing ? session_.comparison.composedRadiance(session_) : session_.renderer.readRadiance());
+        else
+            writePng(path, pictureToSave(), manifestToSave());
         session_.lastScreenshot = path.string();
         ++session_.screenshots;
         session_.notify("Saved " + path.string());
@@ -225,6 +250,9 @@ void Interactive::reportState(int width, int height) {
     dump_.state("view", session_.viewName());
     dump_.state("diagnostic", {diagnostics[static_cast<int>(session_.diagnostic)], driver.settled() && session_.diagnosticPicture.complete()});
     dump_.state("screenshot", session_.lastScreenshot);
+    dump_.state("compare", session_.comparison.on() ? session_.comparison.variants(session_) : std::vector<std::string>{});
+    dump_.state("compared", session_.comparison.settled(session_));
+    dump_.state("seam", session_.comparison.seam);
     dump_.state("saved", session_.screenshots);
     dump_.state("command", session_.lastCommand);
     dump_.state("panels", session_.panelsVisible);

@@ -53,6 +53,10 @@ std::string textOf(const Setting& setting) {
     return static_cast<float>(std::strtod(text.c_str(), nullptr)) == value ? text : fmt::format("{}", setting.get());
 }
 
+bool isChanged(const Setting& setting) {
+    return setting.get() != (setting.isWhole() ? setting.defaultValue : static_cast<double>(static_cast<float>(setting.defaultValue)));
+}
+
 std::string textOf(const CameraPose& pose) {
     std::string text;
     const auto append = [&](double number) { text += (text.empty() ? "" : ",") + fmt::format("{}", number); };

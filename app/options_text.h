@@ -11,6 +11,9 @@ namespace timeshade {
 /// A setting's value as --set takes it; the same value when it is read again, and as short as that allows.
 std::string textOf(const Setting& setting);
 
+/// It is not at its default.
+bool isChanged(const Setting& setting);
+
 /// Fourteen numbers for --pose, exactly: eye, right, up, back, vertical field of view in radians, nearest distance.
 std::string textOf(const CameraPose& pose);
 /// Throws UsageError unless it is fourteen numbers that make a camera: axes at right angles and of length 1 within 1e-6.

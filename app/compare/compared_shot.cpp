@@ -21,7 +21,7 @@ ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const 
         pictures.push_back(renderer.readPicture());
         manifests["compare"].push_back(nlohmann::ordered_json::parse(manifest(renderer, *compared.technique, options.scene, scene, backEnd, times)));
     }
-    shot.picture = composedFor(options, options.seam, techniques, pictures, PictureText());
+    shot.picture = composedFor(options, options.seam, labelsOf(techniques), pictures, PictureText());
     shot.manifests = manifests.dump(2) + "\n";
     return shot;
 }

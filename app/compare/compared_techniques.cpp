@@ -8,38 +8,39 @@
 
 namespace timeshade {
 
-namespace {
-
-/// What a viewer should know of it: its effort, in its own unit.
-std::string labelOf(const std::string& variant, Technique& technique, int samplesPerPixel) {
+std::string effortLabel(const std::string& variant, Technique& technique, int samplesPerPixel) {
     if (technique.renders() > 1) return fmt::format("{}, {} renders", variant, technique.renders());
     return fmt::format("{}, {} spp", variant, samplesPerPixel);
 }
 
-} // namespace
+std::vector<std::string> labelsOf(const std::vector<ComparedTechnique>& techniques) {
+    std::vector<std::string> labels;
+    for (const ComparedTechnique& compared : techniques) labels.push_back(compared.label);
+    return labels;
+}
 
 std::vector<ComparedTechnique> techniquesFor(const Options& options, gl::ProgramCache& programs) {
     std::vector<ComparedTechnique> techniques;
     for (const std::string& variant : options.compared) {
         techniques.push_back({TechniqueVariant::of(variant).make(options.settings, programs), ""});
-        techniques.back().label = labelOf(variant, *techniques.back().technique, options.samplesPerPixel);
+        techniques.back().label = effortLabel(variant, *techniques.back().technique, options.samplesPerPixel);
     }
     if (techniques.empty()) techniques.push_back({techniqueFor(options, programs), ""});
     return techniques;
 }
 
-DisplayImage composedFor(const Options& options, double seam, const std::vector<ComparedTechnique>& techniques, const std::vector<DisplayImage>& pictures,
+DisplayImage composedFor(const Options& options, double seam, const std::vector<std::string>& labels, const std::vector<DisplayImage>& pictures,
                          const PictureText& text) {
     if (pictures.size() == 1) return pictures.front();
     const int width = pictures.front().width;
     DisplayImage picture = composed(pictures[0], pictures[1], options.compareMode, seam);
     if (options.compareMode == CompareMode::Difference) {
-        text.drawLabel(picture, fmt::format("4 x |{} − {}|", techniques[0].label, techniques[1].label), 0, width, PictureText::Side::Left);
+        text.drawLabel(picture, fmt::format("4 x |{} - {}|", labels[0], labels[1]), 0, width, PictureText::Side::Left);
         return picture;
     }
     const int column = options.compareMode == CompareMode::Side ? width / 2 : seamColumn(width, seam);
-    text.drawLabel(picture, techniques[0].label, 0, column, PictureText::Side::Left);
-    text.drawLabel(picture, techniques[1].label, column, width, PictureText::Side::Right);
+    text.drawLabel(picture, labels[0], 0, column, PictureText::Side::Left);
+    text.drawLabel(picture, labels[1], column, width, PictureText::Side::Right);
     return picture;
 }
 

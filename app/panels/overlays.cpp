@@ -50,11 +50,14 @@ void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 15> keys{{{"space", "play or pause"},
+    static constexpr std::array<std::array<const char*, 2>, 18> keys{{{"space", "play or pause"},
                                                                       {"left, right", "a frame back or on"},
                                                                       {"1 .. 9", "technique"},
                                                                       {"V", "next view"},
+                                                                      {"F", "hold: the second technique of a comparison"},
+                                                                      {"X", "exchange the techniques that are compared"},
                                                                       {"P", "save the picture"},
+                                                                      {"Shift-P", "save it as EXR, in linear light"},
                                                                       {"H", "hide or show the panels"},
                                                                       {"R", "the scene's camera"},
                                                                       {"drag", "orbit"},

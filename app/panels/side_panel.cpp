@@ -41,6 +41,7 @@ void drawSidePanel(Session& session, Widgets& widgets, const Area& area) {
         drawHeader(session, widgets);
         drawScenePanel(session, widgets);
         drawTechniquePanel(session, widgets);
+        drawComparePanel(session, widgets);
         drawSamplingPanel(session, widgets);
         drawViewPanel(session, widgets);
         drawCameraPanel(session, widgets);

@@ -33,6 +33,7 @@ void drawTransport(Session& session, Widgets& widgets) {
         playback.play(false);
         playback.jump(frame);
         session.technique->forget();
+        if (session.comparison.on()) session.comparison.technique()->forget();
     }
     widgets.dump().lastItem("scrub", playback.frame());
 }

@@ -75,7 +75,10 @@ void drawViewPanel(Session& session, Widgets& widgets) {
     if (session.diagnostic != Diagnostic::None)
         widgets.paragraph(compared.caption(), compared.failed() ? theme::bad : compared.complete() ? theme::quiet : theme::warning);
     if (session.view == View::Visibility && session.techniqueView.empty()) widgets.paragraph("The lit share of each pixel's camera samples: white lit, black shadowed.", theme::quiet);
-    if (widgets.button("screenshot", "Save picture (P)")) session.wishedScreenshot = true;
+    const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    if (widgets.button("screenshot", "Save PNG (P)", half)) session.wishedScreenshot = true;
+    ImGui::SameLine();
+    if (widgets.button("screenshot.exr", "Save EXR (Shift-P)", half)) session.wishedScreenshot = session.wishedExr = true;
     if (!session.lastScreenshot.empty()) {
         widgets.paragraph(session.lastScreenshot, theme::quiet);
         widgets.dump().lastItem("screenshot.path", session.lastScreenshot);

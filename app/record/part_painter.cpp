@@ -52,7 +52,7 @@ std::optional<DisplayImage> PartPainter::next() {
         pictures.push_back(std::move(*picture));
     }
     const double share = frames_ > 1 ? static_cast<double>(done_) / (frames_ - 1) : 0.0;
-    DisplayImage picture = composedFor(part_.drawn, easedThrough(part_.seams, share), techniques_, pictures, text_);
+    DisplayImage picture = composedFor(part_.drawn, easedThrough(part_.seams, share), labelsOf(techniques_), pictures, text_);
     text_.drawCaption(picture, part_.title, part_.caption);
     ++done_;
     return picture;

@@ -14,6 +14,7 @@ namespace timeshade {
 namespace {
 
 constexpr double radiansPerHeight = 3.0;  // of a drag over the whole height of the picture
+constexpr float seamReach = 8.0f;  // units of the window within which the seam is grasped
 constexpr double zoomPerNotch = 0.88;
 
 /// From one of the comparing views back to the first.
@@ -37,6 +38,7 @@ void applyKey(Session& session, int key) {
     case GLFW_KEY_V:
         nextView(session);
         return;
+    case GLFW_KEY_X: session.wishedSwap = true; return;
     case GLFW_KEY_P: session.wishedScreenshot = true; return;
     case GLFW_KEY_H: session.panelsVisible = !session.panelsVisible; return;
     case GLFW_KEY_R: session.useSceneCamera(session.request.cameraIndex); return;
@@ -59,6 +61,7 @@ bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
         if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL) != 0) return true;
         if ((press.mods & GLFW_MOD_CONTROL) != 0) applyControlKey(session, press.key);
         const bool typing = ImGui::GetIO().WantTextInput;
+        if (!typing && press.key == GLFW_KEY_P && (press.mods & GLFW_MOD_SHIFT) != 0) session.wishedExr = true;
         if (!typing && (press.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0) applyKey(session, press.key);
     }
     return false;
@@ -67,9 +70,19 @@ bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
 void PictureMouse::apply(Session& session, const Area& picture) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+    Comparison& comparison = session.comparison;
+    comparison.flipped = comparison.on() && !io.WantTextInput && ImGui::IsKeyDown(GLFW_KEY_F);
     const bool pressed = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
-    if (pressed && !io.WantCaptureMouse) dragging_ = true;
-    if (!down) dragging_ = false;
+    const bool wiping = comparison.on() && comparison.mode == CompareMode::Wipe && !comparison.flip && picture.size.x > 0.0f;
+    const auto seamX = picture.position.x + static_cast<float>(comparison.seam) * picture.size.x;
+    const bool atSeam = wiping && !io.WantCaptureMouse && std::abs(io.MousePos.x - seamX) <= seamReach;
+    if (atSeam || movingSeam_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsMouseClicked(0) && atSeam)
+        movingSeam_ = true;
+    else if (pressed && !io.WantCaptureMouse)
+        dragging_ = true;
+    if (!down) dragging_ = movingSeam_ = false;
+    if (movingSeam_) comparison.seam = std::clamp(static_cast<double>((io.MousePos.x - picture.position.x) / picture.size.x), 0.0, 1.0);
     const double height = std::max(1.0, static_cast<double>(picture.size.y));
     const double dx = static_cast<double>(io.MouseDelta.x) / height, dy = static_cast<double>(io.MouseDelta.y) / height;
     if (dragging_ && !pressed && (dx != 0.0 || dy != 0.0)) {

@@ -9,7 +9,7 @@ namespace timeshade {
 /// Does what the keys say. True when the window is to close.
 bool applyKeys(Session& session, const std::vector<KeyPress>& keys);
 
-/// The mouse over the picture: orbit, pan, zoom. Knows whether a drag began there.
+/// The mouse over the picture: the seam of a wipe, orbit, pan, zoom. Knows whether a drag began there.
 class PictureMouse {
   public:
     void apply(Session& session, const Area& picture);
@@ -17,6 +17,7 @@ class PictureMouse {
 
   private:
     bool dragging_ = false;
+    bool movingSeam_ = false;
 };
 
 } // namespace timeshade

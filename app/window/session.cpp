@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "frame_setup.h"
+#include "measure/technique_variant.h"
 #include "options_text.h"
 #include "scene/error.h"
 #include "scene_catalogue.h"
@@ -18,6 +19,7 @@ namespace timeshade {
 Session::Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName)
     : options(givenOptions), backEnd(std::move(backEndName)), driver(renderer), technique(techniqueFor(options, renderer.programs())),
       view(options.view), techniqueView(options.techniqueView), diagnostic(options.diagnostic) {
+    adoptComparison();
     adopt(std::move(firstScene), options.scene);
 }
 
@@ -33,6 +35,7 @@ void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
     camera.reset();
     if (request.cameraPose) camera.emplace(*request.cameraPose, scene->bounds());
     technique->forget();
+    if (comparison.on()) comparison.technique()->forget();
     savedViews.clear();
     const bool playing = playback.playing();
     playback.setLoop(scene->duration(), request.shutter.framesPerSecond);
@@ -95,7 +98,40 @@ void Session::become(const Options& wanted) {
     techniqueView = options.techniqueView;
     diagnostic = options.diagnostic;
     adopt(std::move(opened), options.scene);
+    adoptComparison();
     sceneError.clear();
+}
+
+void Session::adoptComparison() {
+    comparison.choose(nullptr);
+    comparison.mode = options.compareMode;
+    comparison.seam = options.seam;
+    comparison.flip = false;
+    if (options.compared.size() != 2) return;
+    technique = TechniqueVariant::of(options.compared[0]).make(options.settings, renderer.programs());
+    techniqueChanged();
+    comparison.choose(TechniqueVariant::of(options.compared[1]).make(options.settings, renderer.programs()));
+}
+
+void Session::compareWished() {
+    if (wishedPin) {
+        comparison.choose(TechniqueVariant::of(variantOf(*technique)).make({}, renderer.programs()));
+    } else if (wishedComparison) {
+        std::unique_ptr<Technique> second;
+        if (!wishedComparison->empty()) {
+            Options chosen = options;
+            chosen.technique = *wishedComparison;
+            second = techniqueFor(chosen, renderer.programs());
+        }
+        comparison.choose(std::move(second));
+    }
+    if (wishedSwap) comparison.swap(*this);
+    if (comparison.on()) {
+        diagnostic = Diagnostic::None;
+        techniqueView.clear();
+    }
+    wishedPin = wishedSwap = false;
+    wishedComparison.reset();
 }
 
 void Session::addKeptSettings(SettingTexts& settings) {
@@ -144,6 +180,7 @@ void Session::applyWishes() {
     else if (wishedRebuild)
         rebuild();
     if (wishedTechnique) chooseWished(*wishedTechnique);
+    compareWished();
     wishedScene.reset();
     wishedRebuild = false;
     wishedTechnique.reset();

@@ -14,6 +14,7 @@
 #include "scenes/scene_recipe.h"
 #include "techniques/technique.h"
 #include "window/accuracy.h"
+#include "window/comparison.h"
 #include "window/diagnostic_picture.h"
 #include "window/frame_driver.h"
 #include "window/orbit_camera.h"
@@ -54,6 +55,8 @@ struct Session {
     void showView(const std::string& name);
     /// What the technique counted in the picture that is shown; empty while it is being drawn.
     const std::vector<TechniqueFigure>& figures();
+    /// Another object stands in for the technique.
+    void techniqueChanged() { figures_.clear(); }
     void useSceneCamera(std::size_t index);
     void setShutter(const Shutter& shutter);
     void notify(std::string text, bool bad = false);
@@ -84,6 +87,8 @@ struct Session {
     std::optional<OrbitCamera> camera;  ///< while the camera is not the scene's own
     std::vector<SavedView> savedViews;
 
+    Comparison comparison;
+
     Diagnostic diagnostic = Diagnostic::None;  ///< in place of the view
     DiagnosticPicture diagnosticPicture;
     Accuracy accuracy;
@@ -93,10 +98,14 @@ struct Session {
     std::optional<std::string> wishedScene, wishedTechnique;
     bool wishedRebuild = false;  ///< the recipe's settings have changed
     bool wishedScreenshot = false;
+    bool wishedExr = false;  ///< the picture is to be saved as EXR
     bool wishedSave = false;     ///< of the settings
     bool wishedCommand = false;  ///< the command line into the clipboard
     std::optional<std::string> wishedLoad;  ///< path of a settings file
     std::string lastCommand;
+    std::optional<std::string> wishedComparison;  ///< a technique to compare with; empty for none
+    bool wishedPin = false;   ///< compare with a copy of the technique as it is set now
+    bool wishedSwap = false;  ///< exchange the techniques that are compared
     bool panelsVisible = true;
     bool keysVisible = false;
     double textScale = 1.0;  ///< the user's own, on top of the display's
@@ -111,6 +120,9 @@ struct Session {
     void rebuild();
     SceneRecipe* keptRecipe(const std::string& name);
     void chooseWished(const std::string& name);
+    void compareWished();
+    /// Makes the comparison, if any, what the options say.
+    void adoptComparison();
 
     std::vector<TechniqueFigure> figures_;
     int figuresOf_ = 0;  ///< the picture that they belong to, by its number

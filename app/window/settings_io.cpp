@@ -22,8 +22,7 @@ namespace {
 
 void addChanged(HasSettings& owner, SettingTexts& settings) {
     for (const Setting& setting : settingsOf(owner))
-        if (setting.get() != (setting.isWhole() ? setting.defaultValue : double(static_cast<float>(setting.defaultValue))))
-            settings.emplace_back(owner.settingsPrefix() + "." + setting.key, textOf(setting));
+        if (isChanged(setting)) settings.emplace_back(owner.settingsPrefix() + "." + setting.key, textOf(setting));
 }
 
 std::string windowState(const Session& session) {
@@ -88,6 +87,14 @@ Options pictureOptions(Session& session) {
     options.view = session.view;
     options.techniqueView = session.techniqueView;
     options.diagnostic = session.diagnostic;
+    options.compared.clear();
+    if (session.comparison.on()) {
+        options.compared = session.comparison.variants(session);
+        options.compareMode = session.comparison.mode;
+        options.seam = session.comparison.seam;
+        options.techniqueView.clear();
+        options.diagnostic = Diagnostic::None;
+    }
     options.output.clear();
     return options;
 }

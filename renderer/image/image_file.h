@@ -24,8 +24,8 @@ struct LinearImage {
 
 /// Both write to a temporary name in the same folder and rename it when whole: a full disk, a missing folder or a
 /// kill leave either the old file or none. Throw Error that names the path and the system's reason. Equal pixels
-/// give equal bytes.
-void writePng(const std::filesystem::path& path, const DisplayImage& image);
+/// give equal bytes. `note` (UTF-8), unless empty, goes into a text chunk "timeshade" of the PNG.
+void writePng(const std::filesystem::path& path, const DisplayImage& image, const std::string& note = {});
 void writeExr(const std::filesystem::path& path, const LinearImage& image);
 
 /// Reads back what the functions above wrote, and any other PNG. Throws Error.

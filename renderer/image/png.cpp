@@ -25,19 +25,49 @@ void appendBytes(void* context, void* data, int size) {
     bytes.insert(bytes.end(), begin, begin + size);
 }
 
+/// CRC of PNG's chunks (PNG specification, annex D).
+std::uint32_t checksumOf(std::span<const char> bytes) {
+    std::uint32_t sum = 0xffffffffu;
+    for (const char byte : bytes) {
+        sum ^= static_cast<std::uint8_t>(byte);
+        for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ ((sum & 1u) != 0 ? 0xedb88320u : 0u);
+    }
+    return ~sum;
+}
+
+void appendNumber(std::vector<char>& bytes, std::uint32_t number) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>(number >> shift));
+}
+
+/// An iTXt chunk, not compressed, without language.
+std::vector<char> textChunk(const std::string& keyword, const std::string& text) {
+    std::string body = "iTXt" + keyword;
+    body += std::string("\0\0\0\0\0", 5) + text;
+    std::vector<char> chunk;
+    appendNumber(chunk, static_cast<std::uint32_t>(body.size() - 4));
+    chunk.insert(chunk.end(), body.begin(), body.end());
+    appendNumber(chunk, checksumOf(body));
+    return chunk;
+}
+
 struct FreePixels {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
 
 } // namespace
 
-void writePng(const std::filesystem::path& path, const DisplayImage& image) {
+void writePng(const std::filesystem::path& path, const DisplayImage& image, const std::string& note) {
     assert(image.rgb.size() == byteCount(image));
     std::vector<char> bytes;
     if (stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, channels, image.rgb.data(),
                                image.width * channels) == 0) {
         throw Error(fmt::format("cannot write {}: a picture of {}x{} cannot be encoded as PNG", path.string(),
                                 image.width, image.height));
+    }
+    if (!note.empty()) {
+        constexpr std::ptrdiff_t afterHeader = 8 + 25;  // signature and IHDR
+        const std::vector<char> chunk = textChunk("timeshade", note);
+        bytes.insert(bytes.begin() + afterHeader, chunk.begin(), chunk.end());
     }
     writeFileAtomically(path, bytes);
 }

@@ -86,6 +86,66 @@ def headless(command, folder):
     assert done.returncode == 0, f"{command}\n{done.stderr}"
 
 
+def pixels(path):
+    """A picture file without what is written beside its pixels."""
+    return subprocess.run(["convert", path, "-depth", "8", "ppm:-"], check=True, capture_output=True).stdout
+
+
+class Compared(WindowTest):
+    def test_wipe_with_a_seam_to_drag(self):
+        window = self.open("pillars", "--technique", "tsm", *QUICK)
+        window.settle()
+        alone = window.look_at_picture()
+        window.choose("compare", "exact")
+        window.wait_state(compare=["tsm", "exact"], compared=True)
+        dump = window.wait(lambda d: "error" in d["state"].get("compare.first", "") and "error" in d["state"].get("compare.second", ""), "both errors", 90)
+        self.assertRegex(dump["state"]["compare.first"], r"^tsm, 2 spp, [0-9.e+]+ ms, error [0-9.e-]+$")
+        error = [float(dump["state"][f"compare.{name}"].split("error ")[1]) for name in ("first", "second")]
+        self.assertGreater(error[0], 1.5 * error[1], "what is wrong with tsm here")
+        (width, height), (whole, _) = dump["state"]["drawn"], dump["state"]["window"]
+        left = whole - width
+        window.drag(left + width / 2, height / 2, left + 3 * width / 4, height / 2)
+        state = window.wait(lambda d: abs(d["state"]["seam"] - 0.75) < 0.01, "the seam")["state"]
+        self.assertFalse(state["hand_camera"], "the seam was dragged, not the camera")
+        wiped = window.look_at_picture()
+        seam = round(0.75 * width)
+        below = (0, 60)
+        same = wiped.crop(below[0], below[1], seam - 8, height).share_different(alone.crop(below[0], below[1], seam - 8, height), 0)
+        self.assertEqual(same, 0, "left of the seam is the first's")
+        self.assertGreater(wiped.crop(seam + 8, 60, width, height).share_different(alone.crop(seam + 8, 60, width, height)), 0.05)
+        # Saved as one, and as the command line draws it.
+        window.key("p")
+        path = window.wait(lambda d: d["state"]["saved"] == 1, "the file")["state"]["screenshot"]
+        data = pathlib.Path(path).read_bytes()
+        self.assertIn(b"iTXttimeshade", data)
+        self.assertIn(b'"technique": "exact"', data)
+        window.key("ctrl+c")
+        command = window.wait(lambda d: d["state"]["command"], "the command")["state"]["command"]
+        saved = pixels(path)
+        headless(command, window.folder)
+        self.assertEqual(saved == pixels(path), True, command)
+        self.assertNotIn(b"iTXt", pathlib.Path(path).read_bytes(), "drawn anew")
+        # Exchanged, the sliders are the other's; a held key shows the second alone.
+        window.key("x")
+        window.wait_state(compare=["exact", "tsm"], technique="exact", compared=True)
+        window.hand("keydown", "f")
+        window.wait(lambda d: "compare.first" not in d["state"] and "compare.second" in d["state"], "the second alone")
+        held = window.look_at_picture()
+        window.hand("keyup", "f")
+        # Below there are notices of what was saved.
+        self.assertEqual(held.crop(0, 60, width, height // 2).share_different(alone.crop(0, 60, width, height // 2), 0), 0)
+        window.click("compare.mode/difference")
+        window.wait(lambda d: d["state"].get("compare.second", "").startswith("- "), "the difference")
+        levels = sorted(window.look_at_picture().crop(0, 60, width, height // 2).grey())
+        self.assertLess(levels[len(levels) // 4], 8, "where they agree it is dark")
+        window.key("shift+p")
+        path = window.wait(lambda d: d["state"]["screenshot"].endswith(".exr"), "the EXR")["state"]["screenshot"]
+        self.assertEqual(pathlib.Path(path).read_bytes()[:4], b"\x76\x2f\x31\x01")
+        window.choose("compare", "nothing")
+        window.settle(compare=[])
+        self.close(window)
+
+
 class SettingsFiles(WindowTest):
     def copied(self, window):
         window.key("ctrl+c")
@@ -95,7 +155,7 @@ class SettingsFiles(WindowTest):
         window.key("p")
         path = window.wait(lambda dump: dump["state"]["screenshot"] and dump["state"]["saved"] > self.saved, "a saved picture")
         self.saved = path["state"]["saved"]
-        return pathlib.Path(path["state"]["screenshot"]).read_bytes()
+        return pixels(path["state"]["screenshot"])
 
     def test_pictures_come_back_by_command_and_by_file(self):
         self.saved = 0
@@ -113,7 +173,7 @@ class SettingsFiles(WindowTest):
             self.assertIn(word, command)
         headless(command, window.folder)
         name = command.split(" -o ")[1]
-        self.assertEqual(first == (window.folder / name).read_bytes(), True, "the command draws the very picture")
+        self.assertEqual(first == pixels(window.folder / name), True, "the command draws the very picture")
 
         window.key("ctrl+s")
         path = window.folder / "timeshade-settings.json"

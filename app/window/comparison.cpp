@@ -1,0 +1,139 @@
+#include "window/comparison.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "compare/compared_techniques.h"
+#include "compare/composed_picture.h"
+#include "options_text.h"
+#include "report.h"
+#include "window/display_texture.h"
+#include "window/session.h"
+
+namespace timeshade {
+
+namespace {
+
+constexpr int numbersApart = 1000000;  // scenes and techniques are counted in one number
+
+ProbeSubject subjectOfTechnique(Technique& technique, const FrameRequest& request) {
+    ProbeSubject subject{technique.description().name, {}, request.samplesPerPixel, request.mapSize};
+    for (const Setting& setting : settingsOf(technique)) subject.settings.push_back(setting.get());
+    return subject;
+}
+
+} // namespace
+
+std::string variantOf(Technique& technique) {
+    std::string variant = technique.description().name;
+    for (const Setting& setting : settingsOf(technique))
+        if (isChanged(setting)) variant += ":" + setting.key + "=" + textOf(setting);
+    return variant;
+}
+
+void Comparison::choose(std::unique_ptr<Technique> technique) {
+    technique_ = std::move(technique);
+    ++number_;
+    difference_.reset();
+    points_.clear();
+    if (technique_) return;
+    driver_.reset();
+    renderer_.reset();  // it holds buffers of the picture's size
+}
+
+void Comparison::swap(Session& session) {
+    if (!on()) return;
+    std::swap(technique_, session.technique);
+    session.techniqueChanged();
+    ++number_;
+}
+
+bool Comparison::update(Session& session, const FrameDriver::Wanted& first) {
+    if (!on()) return false;
+    if (!renderer_) {
+        renderer_.emplace();
+        driver_.emplace(*renderer_);
+    }
+    FrameDriver::Wanted wanted = first;
+    wanted.technique = technique_.get();
+    wanted.techniqueView.clear();
+    wanted.scene += numbersApart * number_;
+    bool changed = driver_->update(wanted, session.now);
+    changed = updateDifference(session) || changed;
+    return updateErrors(session) || changed;
+}
+
+bool Comparison::settled(const Session& session) const {
+    const auto whole = [](const FrameDriver& driver) { return driver.settled() && driver.state() == FrameDriver::State::Complete && !driver.preview(); };
+    return on() && driver_ && whole(session.driver) && whole(*driver_);
+}
+
+std::optional<double> Comparison::sleep(double now) const {
+    if (!on()) return std::nullopt;
+    return driver_ ? driver_->sleep(now) : 0.0;
+}
+
+bool Comparison::updateDifference(Session& session) {
+    const bool wanted = mode == CompareMode::Difference && !flip && settled(session);
+    if (!wanted) return std::exchange(difference_, std::nullopt).has_value();
+    if (difference_ && differenceOf_[0] == session.driver.begun() && differenceOf_[1] == driver_->begun()) return false;
+    upload(difference_, composed(session.renderer.readPicture(), renderer_->readPicture(), CompareMode::Difference, seam));
+    differenceOf_[0] = session.driver.begun();
+    differenceOf_[1] = driver_->begun();
+    return true;
+}
+
+bool Comparison::updateErrors(Session& session) {
+    if (!settled(session) || session.playback.playing()) return false;
+    if (probe_.aim(*session.planner, session.sceneNumber, session.request)) points_.clear();
+    for (Technique* technique : {session.technique.get(), technique_.get()}) {
+        const ProbeSubject subject = subjectOfTechnique(*technique, session.request);
+        if (std::any_of(points_.begin(), points_.end(), [&](const ProbePoint& point) { return point.subject == subject; })) continue;
+        probe_.measure(subject);
+        if (!probe_.failure().empty()) continue;
+        if (const std::optional<ProbePoint> point = probe_.step()) points_.push_back(*point);
+        return true;
+    }
+    return false;
+}
+
+std::string Comparison::label(const Session& session, bool ofSecond) const {
+    Technique& technique = ofSecond ? *technique_ : *session.technique;
+    std::string text = effortLabel(variantOf(technique), technique, session.request.samplesPerPixel);
+    const FrameTimes* times = !ofSecond ? &session.driver.times() : driver_ ? &driver_->times() : nullptr;
+    if (times != nullptr && times->frames() > 0) text += fmt::format(", {:.4g} ms", times->medianTotal());
+    const ProbeSubject subject = subjectOfTechnique(technique, session.request);
+    for (const ProbePoint& point : points_)
+        if (point.subject == subject) text += fmt::format(", error {:.3g}", point.rmse);
+    return text;
+}
+
+std::vector<std::string> Comparison::variants(Session& session) const { return {variantOf(*session.technique), variantOf(*technique_)}; }
+
+DisplayImage Comparison::composedPicture(Session& session) {
+    Options options = session.options;
+    options.compareMode = mode;
+    const std::vector<std::string> names = variants(session);
+    const int samples = session.request.samplesPerPixel;
+    return composedFor(options, seam, {effortLabel(names[0], *session.technique, samples), effortLabel(names[1], *technique_, samples)},
+                       {session.renderer.readPicture(), renderer_->readPicture()}, PictureText());
+}
+
+LinearImage Comparison::composedRadiance(Session& session) {
+    return composed(session.renderer.readRadiance(), renderer_->readRadiance(), mode, seam);
+}
+
+std::string Comparison::manifests(Session& session) {
+    nlohmann::ordered_json json;
+    const auto add = [&](const FrameRenderer& renderer, Technique& technique, const FrameTimes& times) {
+        json["compare"].push_back(nlohmann::ordered_json::parse(manifest(renderer, technique, session.sceneName, *session.scene, session.backEnd, times.medians())));
+    };
+    add(session.renderer, *session.technique, session.driver.times());
+    add(*renderer_, *technique_, driver_->times());
+    return json.dump(2) + "\n";
+}
+
+} // namespace timeshade
