@@ -44,11 +44,12 @@ std::vector<ReadyPart> readyParts(const std::vector<ScriptPart>& parts, FrameRen
     return ready;
 }
 
-std::unique_ptr<FrameSink> sinkFor(const Options& options, double framesPerSecond) {
+/// `drawn` is the first part's; all are of its size.
+std::unique_ptr<FrameSink> sinkFor(const Options& options, const Options& drawn, double framesPerSecond) {
     if (!options.output.ends_with(".mp4")) return std::make_unique<PictureFolder>(options.output);
     VideoFormat format;
-    format.width = options.width;
-    format.height = options.height;
+    format.width = drawn.width;
+    format.height = drawn.height;
     format.framesPerSecond = framesPerSecond;
     format.codec = options.codec;
     format.quality = options.quality;
@@ -83,7 +84,7 @@ std::string reportOf(const Options& options, const std::vector<ScriptPart>& part
     nlohmann::ordered_json json;
     json["timeshade"] = TIMESHADE_VERSION;
     json["command"] = options.commandLine;
-    json["size"] = {options.width, options.height};
+    json["size"] = {parts.front().drawn.width, parts.front().drawn.height};
     json["fps"] = framesPerSecond;
     int total = 0;
     for (std::size_t i = 0; i < ready.size(); ++i) {
@@ -119,7 +120,7 @@ int runRecord(const Options& options) {
     std::vector<int> frames;
     int total = 0;
     for (const ReadyPart& part : ready) total += frames.emplace_back(part.painter->frames());
-    const std::unique_ptr<FrameSink> sink = sinkFor(options, framesPerSecond);
+    const std::unique_ptr<FrameSink> sink = sinkFor(options, parts.front().drawn, framesPerSecond);
     double seconds = 0.0;
     {
         const FrameProgress progress(total);
@@ -129,7 +130,7 @@ int runRecord(const Options& options) {
         seconds = progress.secondsSoFar();
     }
     fmt::print("{}  {} frames of {} x {} at {:g} per second, drawn in {}  {}\n", std::filesystem::absolute(sink->kept()).lexically_normal().string(), total,
-               options.width, options.height, framesPerSecond, inClockWords(seconds), deviceLine(renderer.device()));
+               parts.front().drawn.width, parts.front().drawn.height, framesPerSecond, inClockWords(seconds), deviceLine(renderer.device()));
     if (!options.json.empty()) {
         const std::string report = reportOf(options, parts, ready, frames, framesPerSecond, seconds, renderer.device());
         writeFileAtomically(options.json, report);

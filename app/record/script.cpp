@@ -49,7 +49,7 @@ std::vector<double> takenSeams(nlohmann::json& part) {
     return seams;
 }
 
-ScriptPart partOf(nlohmann::json json, const Options& options, const std::string& place) {
+ScriptPart partOf(nlohmann::json json, const nlohmann::json& common, const Options& options, const std::string& place) {
     if (!json.is_object()) throw Error(fmt::format("is a JSON {}; expected an object", json.type_name()));
     ScriptPart part;
     part.frames = static_cast<int>(takenNumber(json, "frames", 0.0, 0.0, 1e6));
@@ -59,7 +59,10 @@ ScriptPart partOf(nlohmann::json json, const Options& options, const std::string
     part.title = takenText(json, "title");
     part.caption = takenText(json, "caption");
     std::vector<std::string> arguments{"record"};
-    for (const FileSetting& setting : settingsOfJson(json.dump(), place)) {
+    std::vector<FileSetting> settings = settingsOfJson(common.dump(), place);
+    const std::vector<FileSetting> own = settingsOfJson(json.dump(), place);
+    settings.insert(settings.end(), own.begin(), own.end());
+    for (const FileSetting& setting : settings) {
         // The command line wins, but here --scene would be what excludes a script.
         if (setting.key != "scene") arguments.insert(arguments.end(), setting.arguments.begin(), setting.arguments.end());
     }
@@ -85,11 +88,15 @@ std::vector<ScriptPart> partsOf(const Options& options) {
     const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (!json.is_object() || !json.contains("parts") || !json["parts"].is_array() || json["parts"].empty())
         throw Error(fmt::format("{}: expected a JSON object with \"parts\", an array of at least one part", options.script));
+    const nlohmann::json common = json.value("options", nlohmann::json::object());
     std::vector<ScriptPart> parts;
     for (const nlohmann::json& part : json["parts"]) {
         const std::string place = fmt::format("{}: part {}", options.script, parts.size() + 1);
         try {
-            parts.push_back(partOf(part, options, place));
+            parts.push_back(partOf(part, common, options, place));
+            const Options &first = parts.front().drawn, &last = parts.back().drawn;
+            if (first.width != last.width || first.height != last.height)
+                throw Error(fmt::format("\"size\" is {}x{}; expected {}x{} as of the first part", last.width, last.height, first.width, first.height));
         } catch (const UsageError& error) {
             throw UsageError(fmt::format("{}: {}", place, error.what()));
         } catch (const Error& error) {

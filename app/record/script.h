@@ -18,7 +18,8 @@ struct ScriptPart {
 };
 
 /// The parts that `--script` names, each drawn with the options of the command line, which win; or the options as the only part.
-/// A script is a JSON object {"parts": [...]}; a part holds what a settings file may and "frames", "step", "camera_to",
+/// A script is a JSON object {"options": {...}, "parts": [...]}; the options hold for every part, and a part holds what a settings file
+/// may and "frames", "step", "camera_to",
 /// "seam" (a number or an array of them), "title", "caption". Throws Error or UsageError that name the file and the part.
 std::vector<ScriptPart> partsOf(const Options& options);
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -121,6 +122,20 @@ class Videos(RecordTest):
         half = len(bare.rgb) // 2
         self.assertEqual(FileBytes(pictures[0].rgb[:half]), FileBytes(bare.rgb[:half]))
         self.assertNotEqual(FileBytes(pictures[0].rgb[half:]), FileBytes(bare.rgb[half:]))
+
+
+    def test_the_demo_script(self):
+        """One frame of every part; every technique is in it."""
+        script = json.loads((pathlib.Path(__file__).parents[2] / "assets/demo.json").read_text())
+        self.succeed("record", "--demo", "-o", "out", "--frames", "1", "--json", "F.json", "--size", "160x90", "--map", "64", "--spp", "1",
+                     "--set", "history.warm_up=1")
+        report = json.loads((self.folder / "F.json").read_text())
+        self.assertEqual((report["size"], len(report["parts"]), report["frames"]), ([160, 90], len(script["parts"]), len(script["parts"])))
+        shown = {name.split(":")[0] for part in report["parts"] for name in part.get("compare", [part.get("technique")])}
+        self.assertLessEqual({"static", "tsm", "temporal", "ranges", "history", "exact", "accumulation"}, shown)
+        self.assertAlmostEqual(sum(part["frames"] for part in script["parts"]) / script["options"]["fps"], 60, delta=3)
+        for part in script["parts"]:
+            self.assertTrue(part["title"] and part["caption"])
 
 
 class WhatGoesWrong(RecordTest):
