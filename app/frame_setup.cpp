@@ -7,7 +7,9 @@
 
 namespace timeshade {
 
-FrameRequest requestFor(const Options& options, const Scene& scene) {
+namespace {
+
+FrameRequest requestOfShutter(const Options& options, const Scene& scene) {
     FrameRequest request;
     request.width = options.width;
     request.height = options.height;
@@ -29,6 +31,22 @@ FrameRequest requestFor(const Options& options, const Scene& scene) {
         known += (i == 0 ? "" : ", ") + scene.cameras()[i].name;
     }
     throw UsageError(fmt::format("--camera {}: {} has no such camera; expected one of {}", options.camera, scene.name(), known));
+}
+
+} // namespace
+
+FrameRequest requestFor(const Options& options, const Scene& scene) {
+    const FrameRequest request = requestOfShutter(options, scene);
+    return options.instant ? atInstant(request, *options.instant) : request;
+}
+
+FrameRequest atInstant(const FrameRequest& request, double u) {
+    FrameRequest instant = request;
+    const double open = request.shutter.openSeconds(request.frame), close = request.shutter.closeSeconds(request.frame);
+    instant.shutter.length = 0.0;
+    instant.shutter.position = ShutterPosition::Start;
+    instant.frame = (open + (close - open) * u) * request.shutter.framesPerSecond;
+    return instant;
 }
 
 std::unique_ptr<Technique> techniqueFor(const Options& options, gl::ProgramCache& programs) {

@@ -13,6 +13,9 @@ namespace timeshade {
 /// the scene does not have.
 FrameRequest requestFor(const Options& options, const Scene& scene);
 
+/// The request of one instant of this one's shutter, u in [0, 1]: as long as an instant, so that nothing is blurred.
+FrameRequest atInstant(const FrameRequest& request, double u);
+
 /// The technique that the options name, with their settings.
 std::unique_ptr<Technique> techniqueFor(const Options& options, gl::ProgramCache& programs);
 

@@ -63,6 +63,7 @@ class Interactive {
             glfwGetFramebufferSize(window_, &width, &height);
             if (width > 0 && height > 0) drawFrame(width, height);
         }
+        session_.recording.stop(session_);
     }
 
     Session& session() { return session_; }
@@ -91,7 +92,7 @@ class Interactive {
 void Interactive::wait() {
     if (ui_.events().takeActivity()) framesLeft_ = framesAfterActivity;
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
-    const bool busy = framesLeft_ > 0 || session_.playback.playing() || session_.wishedScreenshot;
+    const bool busy = framesLeft_ > 0 || session_.playback.playing() || session_.wishedScreenshot || session_.recording.on();
     const double untilWork = std::min({session_.driver.sleep(glfwGetTime()).value_or(longestSleep), session_.comparison.sleep(glfwGetTime()).value_or(longestSleep), longestSleep});
     if (minimised)
         glfwWaitEventsTimeout(longestSleep);
@@ -129,6 +130,8 @@ void Interactive::drawFrame(int width, int height) {
     const FrameDriver::Wanted wanted = session_.wanted(held);
     if (session_.driver.update(wanted, session_.now)) framesLeft_ = std::max(framesLeft_, 2);
     if (session_.comparison.update(session_, wanted)) framesLeft_ = std::max(framesLeft_, 2);
+    if (std::exchange(session_.wishedRecording, false)) session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
+    if (session_.recording.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
     // One after the other: a step of each would make the window slower to answer.
     if (session_.diagnosticPicture.update(session_, session_.request.width) || session_.accuracy.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
     if (session_.wishedScreenshot) takeScreenshot();
@@ -253,6 +256,9 @@ void Interactive::reportState(int width, int height) {
     dump_.state("compare", session_.comparison.on() ? session_.comparison.variants(session_) : std::vector<std::string>{});
     dump_.state("compared", session_.comparison.settled(session_));
     dump_.state("seam", session_.comparison.seam);
+    dump_.state("instant", session_.instant.value_or(-1.0));
+    dump_.state("recording", {session_.recording.on(), session_.recording.frames()});
+    dump_.state("recorded", session_.recording.lastPath());
     dump_.state("saved", session_.screenshots);
     dump_.state("command", session_.lastCommand);
     dump_.state("panels", session_.panelsVisible);

@@ -178,6 +178,8 @@ void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::ve
         ->transform(oneOf<ShutterPosition>({{"start", ShutterPosition::Start}, {"centre", ShutterPosition::Centre},
                                             {"end", ShutterPosition::End}}))
         ->multi_option_policy(last);
+    app.add_option("--instant", options.instant, "one instant of the shutter instead of all of it: 0 where it opens, 1 where it closes")
+        ->check(numberFrom(0.0, 1.0))->multi_option_policy(last);
     app.add_option("--seed", options.seed, "of all random numbers")->check(numberFrom(0u, 4294967295u))->multi_option_policy(last);
     app.add_option("--context", options.context.kind, "auto, window, egl, osmesa")
         ->transform(oneOf<ContextKind>({{"auto", ContextKind::Auto}, {"window", ContextKind::Window},

@@ -44,6 +44,7 @@ struct Options {
     std::optional<double> seconds;          ///< instead of a frame number
     std::optional<double> framesPerSecond;  ///< the scene's own where not given
     std::optional<double> shutterLength;    ///< frames; the scene's own where not given
+    std::optional<double> instant;          ///< one instant of the shutter, u in [0, 1], instead of all of it
     ShutterPosition shutterPosition = ShutterPosition::Start;
     std::optional<int> frames;              ///< one where not given; for `record` one turn of the scene's motion
 

@@ -109,6 +109,7 @@ std::vector<PictureWord> pictureWords(const Options& options) {
     if (options.framesPerSecond) add("fps", fmt::format("{}", *options.framesPerSecond));
     if (options.shutterLength) add("shutter", fmt::format("{}", *options.shutterLength));
     if (options.shutterPosition != untouched.shutterPosition) add("shutter-position", positions[static_cast<std::size_t>(options.shutterPosition)]);
+    if (options.instant) add("instant", fmt::format("{}", *options.instant));
     if (!options.camera.empty()) add("camera", options.camera);
     if (options.pose) add("pose", textOf(*options.pose));
     if (viewOf(options) != "final") add("view", viewOf(options));
@@ -131,7 +132,7 @@ std::string settingsJson(const Options& options, const std::string& windowState)
     nlohmann::ordered_json json;
     json["scene"] = options.scene;
     for (const auto& [key, value] : pictureWords(options)) {
-        const bool number = key == "spp" || key == "map" || key == "seed" || key == "frame" || key == "time" || key == "fps" || key == "shutter" || key == "seam";
+        const bool number = key == "spp" || key == "map" || key == "seed" || key == "frame" || key == "time" || key == "fps" || key == "shutter" || key == "seam" || key == "instant";
         json[key] = number ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);

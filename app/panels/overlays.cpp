@@ -50,8 +50,10 @@ void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 18> keys{{{"space", "play or pause"},
+    static constexpr std::array<std::array<const char*, 2>, 20> keys{{{"space", "play or pause"},
                                                                       {"left, right", "a frame back or on"},
+                                                                      {", and .", "one instant of the shutter, back or on"},
+                                                                      {"Ctrl-R", "start or stop recording"},
                                                                       {"1 .. 9", "technique"},
                                                                       {"V", "next view"},
                                                                       {"F", "hold: the second technique of a comparison"},

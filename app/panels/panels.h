@@ -23,6 +23,7 @@ void drawCameraPanel(Session& session, Widgets& widgets);
 void drawTimesPanel(Session& session, Widgets& widgets);
 void drawAccuracyPanel(Session& session, Widgets& widgets);
 void drawPlanPanel(Session& session, Widgets& widgets);
+void drawTimePanel(Session& session, Widgets& widgets);
 void drawComparePanel(Session& session, Widgets& widgets);
 void drawSettingsPanel(Session& session, Widgets& widgets);
 

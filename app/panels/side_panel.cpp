@@ -43,6 +43,7 @@ void drawSidePanel(Session& session, Widgets& widgets, const Area& area) {
         drawTechniquePanel(session, widgets);
         drawComparePanel(session, widgets);
         drawSamplingPanel(session, widgets);
+        drawTimePanel(session, widgets);
         drawViewPanel(session, widgets);
         drawCameraPanel(session, widgets);
         drawTimesPanel(session, widgets);

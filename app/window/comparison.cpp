@@ -87,7 +87,8 @@ bool Comparison::updateDifference(Session& session) {
 }
 
 bool Comparison::updateErrors(Session& session) {
-    if (!settled(session) || session.playback.playing()) return false;
+    // What is measured is the whole shutter.
+    if (!settled(session) || session.playback.playing() || session.instant || session.recording.on()) return false;
     if (probe_.aim(*session.planner, session.sceneNumber, session.request)) points_.clear();
     for (Technique* technique : {session.technique.get(), technique_.get()}) {
         const ProbeSubject subject = subjectOfTechnique(*technique, session.request);

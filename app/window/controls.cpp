@@ -25,6 +25,11 @@ void nextView(Session& session) {
     session.showView(last ? names.front() : *(now + 1));
 }
 
+void stepInstant(Session& session, double by) {
+    session.playback.play(false);
+    session.instant = std::clamp(session.instant.value_or(by > 0.0 ? 0.0 - by : 1.0 - by) + by, 0.0, 1.0);
+}
+
 void applyKey(Session& session, int key) {
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
         const auto index = static_cast<std::size_t>(key - GLFW_KEY_1);
@@ -35,6 +40,8 @@ void applyKey(Session& session, int key) {
     case GLFW_KEY_SPACE: session.playback.play(!session.playback.playing()); return;
     case GLFW_KEY_LEFT: session.playback.step(-1); return;
     case GLFW_KEY_RIGHT: session.playback.step(1); return;
+    case GLFW_KEY_COMMA: stepInstant(session, -1.0 / 16.0); return;
+    case GLFW_KEY_PERIOD: stepInstant(session, 1.0 / 16.0); return;
     case GLFW_KEY_V:
         nextView(session);
         return;
@@ -49,6 +56,7 @@ void applyKey(Session& session, int key) {
 
 void applyControlKey(Session& session, int key) {
     const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl-C is the field's then
+    if (key == GLFW_KEY_R) session.wishedRecording = true;
     if (key == GLFW_KEY_S) session.wishedSave = true;
     if (key == GLFW_KEY_O) session.wishedLoad = session.settingsPath;
     if (key == GLFW_KEY_C && !typing) session.wishedCommand = true;

@@ -8,8 +8,15 @@ namespace timeshade {
 void Playback::setLoop(double duration, double framesPerSecond) {
     framesPerSecond_ = framesPerSecond;
     // A loop that ends on a whole frame shows that frame as frame 0; the tolerance is for durations in single precision.
-    loopFrames_ = static_cast<int>(std::clamp(std::ceil(duration * framesPerSecond - 1e-3), 1.0, 1e6));
+    const int frames = static_cast<int>(std::clamp(std::ceil(duration * framesPerSecond - 1e-3), 1.0, 1e6));
+    if (frames != loopFrames_ || last_ == 0) setPart(0, frames - 1);
+    loopFrames_ = frames;
     if (!moves()) playing_ = false;
+}
+
+void Playback::setPart(int first, int last) {
+    first_ = first;
+    last_ = last;
 }
 
 void Playback::play(bool on) {
@@ -19,11 +26,12 @@ void Playback::play(bool on) {
 
 void Playback::advance(double seconds) {
     if (!playing_) return;
-    unspent_ += seconds * framesPerSecond_;
+    unspent_ += seconds * framesPerSecond_ * speed_;
     const double whole = std::floor(unspent_);
     if (whole < 1.0) return;
     unspent_ -= whole;
-    frame_ = std::fmod(frameInLoop() + whole, loopFrames_);
+    const int now = std::clamp(frameInLoop(), first_, last_);
+    frame_ = first_ + std::fmod(now - first_ + whole, last_ - first_ + 1);
 }
 
 void Playback::step(int frames) {

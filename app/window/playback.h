@@ -10,9 +10,17 @@ class Playback {
     void setLoop(double duration, double framesPerSecond);
     void jump(double frame) { frame_ = frame; }
 
+    /// Frames first .. last (within the loop) are what is played; another loop plays all of it.
+    void setPart(int first, int last);
+    int firstFrame() const { return first_; }
+    int lastFrame() const { return last_; }
+    /// Of real time, > 0.
+    void setSpeed(double speed) { speed_ = speed; }
+    double speed() const { return speed_; }
+
     bool playing() const { return playing_; }
     void play(bool on);
-    /// Moves on by so many seconds of the clock, in whole frames, and starts anew at the end of the loop.
+    /// Moves on by so many seconds of the clock, in whole frames, and starts anew at the end of the part.
     void advance(double seconds);
     /// Pauses and goes a whole frame on or back within the loop.
     void step(int frames);
@@ -28,7 +36,9 @@ class Playback {
     double frame_ = 0.0;
     double framesPerSecond_ = 24.0;
     double unspent_ = 0.0;  ///< frames of the clock that were not whole yet
+    double speed_ = 1.0;
     int loopFrames_ = 1;
+    int first_ = 0, last_ = 0;
     bool playing_ = false;
 };
 

@@ -24,7 +24,10 @@ Session::Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene,
 }
 
 void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
-    const FrameRequest newRequest = requestFor(options, *newScene);
+    Options ofShutter = options;
+    ofShutter.instant.reset();  // kept apart
+    const FrameRequest newRequest = requestFor(ofShutter, *newScene);
+    instant = options.instant;
     planner.reset();
     scene = std::move(newScene);
     recipe = keptRecipe(name);
@@ -74,6 +77,7 @@ void Session::openWished(const std::string& name) {
         options.samplesPerPixel = request.samplesPerPixel;
         options.mapSize = request.mapSize;
         options.seed = request.seed;
+        options.instant = instant;
         options.shutterPosition = request.shutter.position;
         adopt(std::move(opened), name);
         sceneError.clear();
@@ -188,7 +192,12 @@ void Session::applyWishes() {
 
 void Session::advance(double newNow) {
     // A picture that was asked for is that of the frame shown when it was.
-    if (!wishedScreenshot) playback.advance(newNow - now);
+    if (!wishedScreenshot && instant && playback.playing()) {
+        const double seconds = std::max(request.shutter.closeSeconds(0.0) - request.shutter.openSeconds(0.0), 1e-6);
+        *instant = std::fmod(*instant + (newNow - now) * playback.speed() / seconds, 1.0);
+    } else if (!wishedScreenshot) {
+        playback.advance(newNow - now);
+    }
     now = newNow;
     if (notice && now > notice->shownUntil) notice.reset();
 }
@@ -200,7 +209,8 @@ FrameDriver::Wanted Session::wanted(bool mouseHeld) {
     const std::vector<std::string> names = viewNames();
     // Another technique, or another setting of it, may not have the view.
     if (std::find(names.begin(), names.end(), viewName()) == names.end()) techniqueView.clear();
-    return {planner.get(), technique.get(), sceneNumber, request, view, techniqueView, playback.playing() || mouseHeld, wishedScreenshot};
+    const FrameRequest drawn = instant ? atInstant(request, *instant) : request;
+    return {planner.get(), technique.get(), sceneNumber, drawn, view, techniqueView, playback.playing() || mouseHeld, wishedScreenshot || recording.on()};
 }
 
 CameraPose Session::currentPose() const {

@@ -19,6 +19,7 @@
 #include "window/frame_driver.h"
 #include "window/orbit_camera.h"
 #include "window/playback.h"
+#include "window/recording.h"
 #include "window/trail_chart.h"
 
 namespace timeshade {
@@ -84,6 +85,8 @@ struct Session {
     View view = View::Final;
     std::string techniqueView;  ///< of the technique's own, instead of `view`; empty for none
     Playback playback;
+    std::optional<double> instant;  ///< the one instant of the shutter that is drawn, u; none for all of it
+    Recording recording;
     std::optional<OrbitCamera> camera;  ///< while the camera is not the scene's own
     std::vector<SavedView> savedViews;
 
@@ -98,6 +101,7 @@ struct Session {
     std::optional<std::string> wishedScene, wishedTechnique;
     bool wishedRebuild = false;  ///< the recipe's settings have changed
     bool wishedScreenshot = false;
+    bool wishedRecording = false;  ///< start or stop
     bool wishedExr = false;  ///< the picture is to be saved as EXR
     bool wishedSave = false;     ///< of the settings
     bool wishedCommand = false;  ///< the command line into the clipboard

@@ -80,6 +80,7 @@ Options pictureOptions(Session& session) {
     options.seconds.reset();
     options.framesPerSecond = request.shutter.framesPerSecond;
     options.shutterLength = request.shutter.length;
+    options.instant = session.instant;
     options.shutterPosition = request.shutter.position;
     options.camera = request.cameraIndex == 0 ? "" : session.scene->cameras()[request.cameraIndex].name;
     options.pose.reset();

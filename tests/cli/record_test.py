@@ -218,6 +218,17 @@ class WhatGoesWrong(RecordTest):
         Picture((self.folder / f"out/{count - 1:04}.png").read_bytes())
 
 
+class Instants(ProgramTest):
+    def test_one_instant_of_the_shutter(self):
+        """Frame 10 open from 9.7 to 10.3: its instants are still pictures of other times."""
+        asked = ("octopus", "S.png", *QUICK, "--technique", "tsm")
+        for u, frame in ((0, "9.7"), (0.5, "10"), (1, "10.3")):
+            instant = self.shot(*asked, "--frame", "10", "--shutter", "0.6", "--shutter-position", "centre", "--instant", u)
+            still = Picture(self.shot(*asked, "--frame", frame, "--shutter", "0"))
+            self.assertLess(Picture(instant).share_of_pixels_off(still, 4), 0.002, f"u = {u}")
+        self.assertGreater(Picture(instant).share_of_pixels_off(Picture(self.shot(*asked, "--frame", "10", "--shutter", "0.6")), 4), 0.02)
+
+
 class Compared(ProgramTest):
     def test_wipe_side_and_difference(self):
         alone = {name: Picture(self.shot("pillars", "S.png", *QUICK, "--technique", name)) for name in ("tsm", "exact")}

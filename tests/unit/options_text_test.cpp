@@ -89,6 +89,7 @@ Options randomState(int seed) {
     options.framesPerSecond = 0.1 + 100.0 * dice.share();
     options.shutterLength = 16.0 * dice.share();
     options.shutterPosition = static_cast<ShutterPosition>(dice.below(3));
+    if (dice.below(4) == 0) options.instant = dice.share();
     if (dice.yes()) options.camera = dice.yes() ? "knight" : "Camera of 'Ann' & \"Bob\"";
     if (dice.yes()) options.pose = randomPose(dice);
     if (dice.below(4) == 0) options.view = View::Visibility;
@@ -105,7 +106,7 @@ void expectSamePicture(const Options& a, const Options& b) {
     EXPECT_EQ(a.technique, b.technique);
     EXPECT_EQ(a.camera, b.camera);
     EXPECT_EQ(std::tie(a.width, a.height, a.samplesPerPixel, a.mapSize, a.seed), std::tie(b.width, b.height, b.samplesPerPixel, b.mapSize, b.seed));
-    EXPECT_EQ(std::tie(a.frame, a.framesPerSecond, a.shutterLength, a.shutterPosition), std::tie(b.frame, b.framesPerSecond, b.shutterLength, b.shutterPosition));
+    EXPECT_EQ(std::tie(a.frame, a.instant, a.framesPerSecond, a.shutterLength, a.shutterPosition), std::tie(b.frame, b.instant, b.framesPerSecond, b.shutterLength, b.shutterPosition));
     EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam), std::tie(b.view, b.techniqueView, b.compared, b.compareMode, b.seam));
     ASSERT_EQ(a.pose.has_value(), b.pose.has_value());
     if (a.pose) {

@@ -146,6 +146,65 @@ class Compared(WindowTest):
         self.close(window)
 
 
+class Time(WindowTest):
+    def test_scrub_within_the_shutter_and_loop_a_part(self):
+        window = self.open("octopus", "--technique", "tsm", *QUICK, "--size", "700x450")
+        window.settle(instant=-1)
+        blurred = window.look_at_picture()
+        window.key("period")
+        window.settle(instant=0)
+        first = window.look_at_picture()
+        window.key("period", "period")
+        window.settle(instant=0.125)
+        self.assertGreater(first.share_different(blurred), 0.02)
+        self.assertGreater(first.share_different(window.look_at_picture()), 0.01)
+        window.drag_slider("instant", 1.0)
+        window.settle(instant=1)
+        window.click("instant.on")
+        window.settle(instant=-1)
+        self.assertEqual(blurred.share_different(window.look_at_picture(), 0), 0)
+        # Of a loop of some frames nothing else is played.
+        self.assertGreater(window.drag_slider("loop.first", 0.6), 20)
+        part = (window.widget("loop.first")["value"], window.widget("loop.first")["value"] + 30)
+        window.key("space")
+        frames = set()
+        end = time.monotonic() + 2
+        while time.monotonic() < end:
+            frames.add(window.state()["frame"])
+            time.sleep(0.02)
+        window.key("space")
+        self.assertGreater(len(frames), 3)
+        self.assertGreaterEqual(min(sorted(frames)[1:]), part[0])
+        self.close(window)
+
+    def test_a_recording_is_what_shot_draws(self):
+        window = self.open("octopus", "--technique", "tsm", "--frame", "12", *QUICK, "--size", "700x450")
+        window.settle()
+        window.key("ctrl+r")
+        window.wait(lambda d: d["state"]["recording"][1] >= 6, "six frames", 60)
+        window.key("ctrl+r")
+        state = window.wait(lambda d: d["state"]["recorded"], "the file")["state"]
+        (width, height), path = [side & ~1 for side in state["drawn"]], state["recorded"]
+        found = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=width,height,r_frame_rate,nb_read_frames",
+                                "-of", "csv=p=0", path], check=True, capture_output=True, text=True).stdout.strip().split(",")
+        self.assertEqual(found, [str(width), str(height), "24/1", str(state["recording"][1])])
+        data = subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-vf", "scale=flags=accurate_rnd+full_chroma_int", "-f", "rawvideo",
+                               "-pix_fmt", "rgb24", "-"], check=True, capture_output=True).stdout
+        size = 3 * width * height
+        window.key("ctrl+c")
+        command = window.wait(lambda d: d["state"]["command"], "the command")["state"]["command"]
+        now = int(window.state()["frame"])
+        self.assertEqual(now, 12 + state["recording"][1])
+        for number in (0, 5):
+            headless(command.replace(f"--frame={now}", f"--frame={12 + number}").split(" -o ")[0] + f" -o {number}.png", window.folder)
+            shot = subprocess.run(["convert", window.folder / f"{number}.png", "-crop", f"{width}x{height}+0+0", "-depth", "8", "rgb:-"],
+                                  check=True, capture_output=True).stdout
+            frame = data[number * size:(number + 1) * size]
+            self.assertEqual(len(shot), len(frame))
+            self.assertLess(sum(abs(a - b) for a, b in zip(shot, frame)) / size, 4, f"frame {number}")
+        self.close(window)
+
+
 class SettingsFiles(WindowTest):
     def copied(self, window):
         window.key("ctrl+c")
