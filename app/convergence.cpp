@@ -1,6 +1,7 @@
 #include "convergence.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "gl_checks.h"
 #include "make_context.h"
 #include "measure/convergence.h"
+#include "measure/detail_strip.h"
 #include "progress.h"
 #include "report.h"
 #include "scene/error.h"
@@ -19,6 +21,7 @@ namespace timeshade {
 namespace {
 
 constexpr const char* techniqueName = "history";
+constexpr int stripSide = 96, stripZoom = 2;  // pixels of the picture; pixels of the strip for each
 
 std::vector<std::pair<std::string, std::string>> ownSettings(const Options& options) {
     const std::string prefix = std::string(techniqueName) + ".";
@@ -26,6 +29,32 @@ std::vector<std::pair<std::string, std::string>> ownSettings(const Options& opti
     for (const auto& [name, value] : options.settings)
         if (name.rfind(prefix, 0) == 0) own.emplace_back(name.substr(prefix.size()), value);
     return own;
+}
+
+/// Frames of a camera that turns by a tenth of a degree a frame and comes to where the request has it.
+std::vector<FramePlan> cameraComesToRest(FramePlanner& planner, FrameRequest request) {
+    constexpr int count = 20;
+    constexpr double step = 0.1 * 3.14159265358979324 / 180.0;
+    const CameraPose end = *request.cameraPose;
+    std::vector<FramePlan> plans;
+    for (int k = count; k > 0; --k) {
+        const double c = std::cos(k * step), s = std::sin(k * step);
+        request.cameraPose->axes = glm::dmat3(c * end.axes[0] - s * end.axes[2], end.axes[1], s * end.axes[0] + c * end.axes[2]);
+        plans.push_back(planner.plan(request));
+    }
+    return plans;
+}
+
+/// Of a curve's pictures those that the strip shows: as figure 5 of the paper, after 1, 20, 40, 60 frames; or all, where one of them is missing.
+std::vector<DisplayImage> shownInStrip(const ConvergenceCurve& curve, const std::vector<int>& frames, const std::vector<int>& shown) {
+    std::vector<DisplayImage> pictures;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        if (std::find(shown.begin(), shown.end(), frames[i]) != shown.end()) pictures.push_back(curve.pictures[i]);
+    return pictures;
+}
+
+const ConvergenceCurve& curveNamed(const std::vector<ConvergenceCurve>& curves, const std::string& name) {
+    return *std::find_if(curves.begin(), curves.end(), [&](const ConvergenceCurve& curve) { return curve.name == name; });
 }
 
 } // namespace
@@ -46,23 +75,33 @@ int runConvergence(const Options& options) {
     std::string report = fmt::format("# Convergence of `history`\n\n{}. {} x {}, map {}, {} sample(s) a pixel.\n", deviceLine(renderer.device()), options.width,
                                      options.height, options.mapSize, options.samplesPerPixel);
     report += "Share of pixels that differ by more than 30 of 255 from the picture with ray-traced hard shadows, after so many frames of a\n"
-              "moment that is held, from an empty history.\n";
+              "moment that is held, from an empty history or, after motion, from one that was filled while the camera turned by a tenth of a degree a frame.\n";
+    std::vector<int> shown{1, 20, 40, 60};
+    if (!std::includes(frames.begin(), frames.end(), shown.begin(), shown.end())) shown = frames;
     for (const std::string& name : names) {
         const std::unique_ptr<Scene> scene = openScene(name, options.clip, options.settings);
         FramePlanner planner(*scene);
-        const FramePlan plan = planner.plan(requestFor(options, *scene));
+        FrameRequest request = requestFor(options, *scene);
+        // Held still, as motion of the camera within the shutter would leave no pixel a truth of its own.
+        if (!request.cameraPose) request.cameraPose = scene->camera(request.cameraIndex, request.shutter.openSeconds(request.frame));
+        const FramePlan plan = planner.plan(request);
+        const std::vector<FramePlan> approach = cameraComesToRest(planner, request);
+        const DisplayImage reference = referencePicture(renderer, plan);
         std::vector<ConvergenceCurve> curves = historyCurves();
         const Progress progress(static_cast<int>(curves.size()));
         for (std::size_t i = 0; i < curves.size(); ++i) {
             progress.update(static_cast<int>(i));
-            measureConvergence(renderer, plan, techniqueName, ownSettings(options), frames, curves[i]);
+            measureConvergence(renderer, approach, plan, reference, techniqueName, ownSettings(options), frames, curves[i]);
         }
         const std::string stem = std::filesystem::path(name).stem().string();
+        const ConvergenceCurve &published = curveNamed(curves, "as published, m from 3 to 15"), &repaired = curveNamed(curves, "repaired");
+        const PixelSquare square = worstSquare(published.pictures.back(), reference, stripSide);
         writeFileAtomically(folder / (stem + ".csv"), convergenceCsv(curves, frames));
         writePng(folder / (stem + ".png"), drawChart(convergenceChart(stem, curves, frames), 960, 640));
-        writePng(folder / (stem + "-strip.png"), strip(curves.back().pictures));
-        report += fmt::format("\n## {}, frame {:g}\n\n{}\n![convergence]({}.png)\n\nRepaired, left to right after {} frames:\n\n![strip]({}-strip.png)\n", stem,
-                              plan.request.frame, convergenceTable(curves, frames), stem, fmt::join(frames, ", "), stem);
+        writePng(folder / (stem + "-strip.png"), detailStrip({shownInStrip(published, frames, shown), shownInStrip(repaired, frames, shown)}, square, stripZoom));
+        report += fmt::format("\n## {}, frame {:g}\n\n{}\n![convergence]({}.png)\n\nA detail, left to right after {} frames; above as published, below repaired:\n\n"
+                              "![strip]({}-strip.png)\n",
+                              stem, plan.request.frame, convergenceTable(curves, frames), stem, fmt::join(shown, ", "), stem);
     }
     watch.requireSilence();
     writeFileAtomically(folder / "report.md", report);

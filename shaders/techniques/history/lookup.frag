@@ -43,7 +43,6 @@ mat3 previousRays(float u) { return mat3(history.previousRaysOpen) * (1.0 - u) +
 
 // Did anything move between the light and this point, in this frame's shutter, the last one's or between them?
 bool touchedByMover(Receiver r) {
-    if (history.moverMaskSize == 0.0) return false;
     MapPoint m = mapPointOf(r, r.time);
     ivec2 texel = clamp(ivec2(floor(m.position * history.moverMaskSize)), ivec2(0), ivec2(history.moverMaskSize) - 1);
     return m.depth >= 0.9999 * mapDistance(texelFetch(moverMask, ivec3(texel, 0), 0).x);
@@ -143,7 +142,14 @@ void main() {
             imageStore(visibility, place, vec4(0.0));
             continue;
         }
-        ShadowTest test = testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant);
+        bool rests = true;
+#ifdef MOVED
+        if (history.moverMaskSize > 0.0) {
+            touched = touched || touchedByMover(r);
+            rests = !touched && sameTriangle(t, fetchPrevious(id));
+        }
+#endif
+        ShadowTest test = testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant, rests);
         float weight = max(confidenceWeight(test.confidence, history.exponent), 1e-12);
         // Where proof can't stay it must not outweigh the other answers.
         if (history.triesTriangles != 0u && history.keepsProof == 0u) weight = 1.0 / history.weightScale;
@@ -154,9 +160,6 @@ void main() {
         weightSum += weight;
         weightedLit += weight * test.lit;
         imageStore(visibility, place, vec4(test.lit));
-#ifdef MOVED
-        touched = touched || touchedByMover(r);
-#endif
         // The pixel is known by the sample in the middle of the shutter, or the last before it that sees a surface to test.
         if (!seen.any || stratum <= frame.strata / 2u) {
             seen.any = true;

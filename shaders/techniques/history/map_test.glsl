@@ -82,7 +82,7 @@ Trial tryTriangle(MovingTriangle t, Receiver r, float u, vec3 toLight, float tex
 // not all four see something nearer than the receiver's plane, an edge of a shadow runs by: a dark answer is then another
 // point's. Where there is time, whatever is dark finds its proof in the end. Else only a triangle wider than a texel is known to
 // end here, and has not just been followed by one that no texel saw.
-ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
+ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p, bool hasTime) {
     ivec2 nearest = ivec2(floor(p.texel)), corner = ivec2(floor(p.texel - 0.5));
     bool inside = all(greaterThanEqual(nearest, ivec2(0))) && all(lessThan(nearest, ivec2(lightView.size)));
     ShadowTest test = ShadowTest(1.0, inside ? shadowTestConfidence(p.texel) : 0.0, false);
@@ -122,13 +122,14 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
         if (trial.met) return ShadowTest(0.0, 1.0, true);
         if (k == 0 && nearer == 1u && trial.height < 1.0) dark = true;
     }
-    if (inside && (nearer == 4u || (dark && history.awaitsProof == 0u))) test.lit = 0.0;
+    if (inside && (nearer == 4u || (dark && !hasTime))) test.lit = 0.0;
     return test;
 }
 
-ShadowTest testShadow(Receiver r, float u) {
+// hasTime: nothing moves near the receiver, so that later frames can tell more.
+ShadowTest testShadow(Receiver r, float u, bool hasTime) {
     WarpedPoint p = warpedPointOf(r, u);
-    if (history.triesTriangles != 0u) return tryTriangles(r, u, p);
+    if (history.triesTriangles != 0u) return tryTriangles(r, u, p, hasTime && history.awaitsProof != 0u);
     ivec2 texel = ivec2(floor(p.texel));
     int radius = int(history.pcfRadius);
     float publishedDepth = p.m.depth - depthBias(p.m, history.bias, history.slopeBias * float(2 * radius + 1));

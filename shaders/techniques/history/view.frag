@@ -15,7 +15,7 @@ float meanConfidence(uvec2 pixel) {
         MovingTriangle t = fetchTriangle(id);
         Receiver r = receiverOf(t, id, pixel, stratum);
         if (!facesLight(r)) continue;
-        sum += testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant).confidence;
+        sum += testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant, true).confidence;
         tested += 1.0;
     }
     return sum / max(tested, 1.0);
