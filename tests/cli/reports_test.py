@@ -7,6 +7,20 @@ import unittest
 from program import COMPUTED, CONTEXTS, PROGRAM, QUICK, SCENES, TECHNIQUES, Picture, ProgramTest
 
 
+class Convergence(ProgramTest):
+    def test_a_history_is_measured_frame_by_frame(self):
+        self.succeed("measure", "frusta", "--history-frames", "1,4", "--size", "64x48", "--map", "64", "--spp", "1", "--shutter", "0", "-o", "F")
+        rows = [line.rsplit(",", 2) for line in (self.folder / "F/frusta.csv").read_text().splitlines()[1:]]
+        wrong = {(name.strip('"'), int(frames)): float(percent) for name, frames, percent in rows}
+        self.assertEqual(len(wrong), 2 * 11)
+        self.assertLess(wrong["repaired", 4], wrong["repaired", 1])
+        self.assertLess(wrong["repaired", 4], wrong["as published, m from 3 to 15", 4])
+        self.assertNotEqual(wrong["repaired, after motion", 1], wrong["repaired", 1])
+        strip = Picture((self.folder / "F/frusta-strip.png").read_bytes())
+        self.assertEqual((strip.width, strip.height), (2 * (2 * 48 + 1) - 1, 2 * (2 * 48 + 1) - 1))
+        self.assertIn("frusta.png", (self.folder / "F/report.md").read_text())
+
+
 class Lists(ProgramTest):
     def test_text(self):
         text = self.succeed("list")

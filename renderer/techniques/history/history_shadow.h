@@ -23,12 +23,17 @@ namespace timeshade {
 /// Beyond the paper the map remembers which triangle each texel saw. Averaging tests made at texels' centres, whatever the weights,
 /// moves an edge by the centres' spacing, which falls with the root of the number of frames; but near an edge one of the four texels around
 /// a receiver nearly always saw the very triangle that hides it. So these are tried against the receiver's own ray to the light. A hit
-/// is proof, needs no bias, and is kept for as long as nothing moves; no hit where the four disagree means lit. What remains
-/// are casters that no texel around has seen yet, and every new raster sees others: 20 frames leave fewer than one pixel in a thousand.
+/// is proof, needs no bias, and is kept for as long as nothing moves. No hit where the four disagree means lit, as whatever is dark finds
+/// its proof in time; where there is no time, since something moves or the camera does, only if the nearest texel's triangle is wider than a texel: of
+/// smaller ones the next may hide the receiver, unseen, and the texel's answer stands. What remains are casters that no
+/// texel around has seen yet, and every new raster sees others: 20 frames leave fewer than one pixel in a thousand.
 ///
-/// Also beyond the paper a receiver is followed where it moves, and a pixel behind
-/// something that has moved (MoverMask) loses its past, as all do when the light has moved. While a moment is held the map's
-/// instant runs through the shutter, so that blurred shadows converge to their mean.
+/// Also beyond the paper a receiver is followed where it moves, and a pixel behind something that has moved (MoverMask) loses its
+/// past, as all do when the light has moved. While a moment is held the map's instant runs through the shutter, so that blurred
+/// shadows converge to their mean; then all answers weigh alike.
+///
+/// Memory: two buffers of 16 bytes a pixel, 8 bytes a texel of the map (4 without its triangles); 4 bytes a texel of the mask and a copy of the
+/// triangles once something has moved.
 class HistoryShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
