@@ -106,6 +106,7 @@ void Interactive::wait() {
 
 void Interactive::drawFrame(int width, int height) {
     session_.advance(glfwGetTime());
+    if (session_.shaderWatch.changed(session_.now)) session_.reloadShaders();
     for (const std::string& path : ui_.events().takeDropped()) session_.wishedScene = path;
 
     ui_.beginFrame(session_.textScale);
@@ -131,6 +132,7 @@ void Interactive::drawFrame(int width, int height) {
     if (session_.driver.update(wanted, session_.now)) framesLeft_ = std::max(framesLeft_, 2);
     if (session_.comparison.update(session_, wanted)) framesLeft_ = std::max(framesLeft_, 2);
     if (std::exchange(session_.wishedRecording, false)) session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
+    if (!session_.recording.on() && session_.probe.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
     if (session_.recording.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
     // One after the other: a step of each would make the window slower to answer.
     if (session_.diagnosticPicture.update(session_, session_.request.width) || session_.accuracy.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
@@ -259,6 +261,9 @@ void Interactive::reportState(int width, int height) {
     dump_.state("instant", session_.instant.value_or(-1.0));
     dump_.state("recording", {session_.recording.on(), session_.recording.frames()});
     dump_.state("recorded", session_.recording.lastPath());
+    dump_.state("shader_log", session_.shaderLog);
+    dump_.state("shaders", session_.shaderNumber);
+    dump_.state("probe", {session_.probe.on(), session_.probe.complete()});
     dump_.state("saved", session_.screenshots);
     dump_.state("command", session_.lastCommand);
     dump_.state("panels", session_.panelsVisible);

@@ -39,6 +39,16 @@ void drawFailure(const Session& session, Widgets& widgets, const Area& picture) 
     endBox();
 }
 
+void drawShaderLog(const Session& session, Widgets& widgets, const Area& picture) {
+    beginBox("shaders", picture, {0.5f, 0.12f}, 520.0f * widgets.scale(), theme::bad);
+    ImGui::TextColored(theme::bad, "Shaders can't be built: the last good ones stay");
+    constexpr std::size_t shown = 6;
+    for (std::size_t i = 0; i < std::min(shown, session.shaderLog.size()); ++i) ImGui::TextUnformatted(session.shaderLog[i].c_str());
+    if (session.shaderLog.size() > shown) ImGui::Text("and %zu more", session.shaderLog.size() - shown);
+    widgets.dump().lastItem("shaders", session.shaderLog);
+    endBox();
+}
+
 void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
     // A margin above the picture's lower edge.
     Area inside = picture;
@@ -50,7 +60,7 @@ void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 20> keys{{{"space", "play or pause"},
+    static constexpr std::array<std::array<const char*, 2>, 23> keys{{{"space", "play or pause"},
                                                                       {"left, right", "a frame back or on"},
                                                                       {", and .", "one instant of the shutter, back or on"},
                                                                       {"Ctrl-R", "start or stop recording"},
@@ -60,6 +70,9 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
                                                                       {"X", "exchange the techniques that are compared"},
                                                                       {"P", "save the picture"},
                                                                       {"Shift-P", "save it as EXR, in linear light"},
+                                                                      {"M", "magnify the pixel under the mouse, with its samples"},
+                                                                      {"F5", "load all shaders anew"},
+                                                                      {"? or F1", "show or hide this list"},
                                                                       {"H", "hide or show the panels"},
                                                                       {"R", "the scene's camera"},
                                                                       {"drag", "orbit"},
@@ -90,6 +103,8 @@ void drawOverlays(Session& session, Widgets& widgets, const Area& picture) {
     const float least = 60.0f * widgets.scale();
     if (picture.size.x < least || picture.size.y < least) return;
     if (session.driver.state() == FrameDriver::State::Failed) drawFailure(session, widgets, picture);
+    if (!session.shaderLog.empty()) drawShaderLog(session, widgets, picture);
+    drawProbe(session, widgets, picture);
     if (session.keysVisible) drawKeys(session, widgets, picture);
     if (session.notice) drawNotice(session, widgets, picture);
 }

@@ -13,6 +13,9 @@ void drawTransportBar(Session& session, Widgets& widgets, const Area& area);
 /// What lies over the picture: why there is none, a notice, the list of keys.
 void drawOverlays(Session& session, Widgets& widgets, const Area& picture);
 
+/// The magnifier and the strips of one pixel.
+void drawProbe(Session& session, Widgets& widgets, const Area& picture);
+
 /// The sections of the side panel, from top to bottom.
 void drawHeader(Session& session, Widgets& widgets);
 void drawScenePanel(Session& session, Widgets& widgets);

@@ -25,6 +25,9 @@ class Comparison {
     /// Exchanges the two, so that the panel's sliders are the other's.
     void swap(Session& session);
 
+    /// As ProgramCache::reload, for the second's passes.
+    std::vector<std::string> reloadShaders() { return renderer_ ? renderer_->programs().reload() : std::vector<std::string>{}; }
+
     /// Draws the second picture, then, when nothing moves, finds the errors, a step at a time. True if the window has to be drawn again.
     bool update(Session& session, const FrameDriver::Wanted& first);
 

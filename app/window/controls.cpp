@@ -49,6 +49,7 @@ void applyKey(Session& session, int key) {
     case GLFW_KEY_P: session.wishedScreenshot = true; return;
     case GLFW_KEY_H: session.panelsVisible = !session.panelsVisible; return;
     case GLFW_KEY_R: session.useSceneCamera(session.request.cameraIndex); return;
+    case GLFW_KEY_F5: session.reloadShaders(); return;
     case GLFW_KEY_F1: session.keysVisible = !session.keysVisible; return;
     default: return;
     }
@@ -67,6 +68,7 @@ void applyControlKey(Session& session, int key) {
 bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
     for (const KeyPress& press : keys) {
         if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL) != 0) return true;
+        if (press.key == GLFW_KEY_SLASH && (press.mods & GLFW_MOD_SHIFT) != 0 && !ImGui::GetIO().WantTextInput) session.keysVisible = !session.keysVisible;
         if ((press.mods & GLFW_MOD_CONTROL) != 0) applyControlKey(session, press.key);
         const bool typing = ImGui::GetIO().WantTextInput;
         if (!typing && press.key == GLFW_KEY_P && (press.mods & GLFW_MOD_SHIFT) != 0) session.wishedExr = true;
@@ -75,8 +77,25 @@ bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
     return false;
 }
 
+namespace {
+
+/// Magnifies the pixel under the mouse; over the one that is magnified, or beside the picture, ends it.
+void pickPixel(Session& session, const Area& picture) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const auto pixel = [](float at, float from, float size, int pixels) { return static_cast<int>(std::floor((at - from) / std::max(size, 1.0f) * static_cast<float>(pixels))); };
+    const int x = pixel(mouse.x, picture.position.x, picture.size.x, session.request.width), y = pixel(mouse.y, picture.position.y, picture.size.y, session.request.height);
+    const bool inside = x >= 0 && y >= 0 && x < session.request.width && y < session.request.height;
+    if (!inside || (session.probe.on() && session.probe.x() == x && session.probe.y() == y))
+        session.probe.clear();
+    else
+        session.probe.pick(x, y);
+}
+
+} // namespace
+
 void PictureMouse::apply(Session& session, const Area& picture) {
     const ImGuiIO& io = ImGui::GetIO();
+    if (!io.WantTextInput && ImGui::IsKeyPressed(GLFW_KEY_M, false)) pickPixel(session, picture);
     const bool down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     Comparison& comparison = session.comparison;
     comparison.flipped = comparison.on() && !io.WantTextInput && ImGui::IsKeyDown(GLFW_KEY_F);

@@ -27,7 +27,7 @@ std::vector<double> methodKeyOf(const FrameDriver::Wanted& wanted) {
 
 std::vector<double> frameKeyOf(const FrameDriver::Wanted& wanted) {
     std::vector<double> key = momentKeyOf(wanted.request);
-    key.insert(key.end(), {double(wanted.view), double(wanted.request.seed)});
+    key.insert(key.end(), {double(wanted.view), double(wanted.request.seed), double(wanted.shaders)});
     return key;
 }
 

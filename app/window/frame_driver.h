@@ -23,6 +23,7 @@ class FrameDriver {
         FrameRequest request;
         View view = View::Final;
         std::string techniqueView;  ///< of the technique's own, instead of `view`; empty for none
+        int shaders = 0;      ///< a number that changes with the programs
         bool moving = false;  ///< it plays, or a mouse button is held
         bool hurry = false;   ///< the full picture at once, whatever moves
     };

@@ -86,6 +86,15 @@ void Session::openWished(const std::string& name) {
     }
 }
 
+void Session::reloadShaders() {
+    shaderLog = renderer.programs().reload();
+    for (const std::string& complaint : comparison.reloadShaders())
+        if (std::find(shaderLog.begin(), shaderLog.end(), complaint) == shaderLog.end()) shaderLog.push_back(complaint);
+    ++shaderNumber;
+    technique->forget();
+    if (shaderLog.empty()) notify("Shaders loaded anew");
+}
+
 void Session::become(const Options& wanted) {
     std::unique_ptr<Scene> opened = openScene(wanted.scene, wanted.clip, wanted.settings);
     requestFor(wanted, *opened);  // throws for a camera that is not there
@@ -210,7 +219,7 @@ FrameDriver::Wanted Session::wanted(bool mouseHeld) {
     // Another technique, or another setting of it, may not have the view.
     if (std::find(names.begin(), names.end(), viewName()) == names.end()) techniqueView.clear();
     const FrameRequest drawn = instant ? atInstant(request, *instant) : request;
-    return {planner.get(), technique.get(), sceneNumber, drawn, view, techniqueView, playback.playing() || mouseHeld, wishedScreenshot || recording.on()};
+    return {planner.get(), technique.get(), sceneNumber, drawn, view, techniqueView, shaderNumber, playback.playing() || mouseHeld, wishedScreenshot || recording.on()};
 }
 
 CameraPose Session::currentPose() const {

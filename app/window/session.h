@@ -18,8 +18,10 @@
 #include "window/diagnostic_picture.h"
 #include "window/frame_driver.h"
 #include "window/orbit_camera.h"
+#include "window/pixel_probe.h"
 #include "window/playback.h"
 #include "window/recording.h"
+#include "window/shader_watch.h"
 #include "window/trail_chart.h"
 
 namespace timeshade {
@@ -38,6 +40,8 @@ struct Session {
 
     /// Does what was asked for since the last frame.
     void applyWishes();
+    /// Builds all shader programs anew; what is wrong with some of them stands in shaderLog, and the last good ones stay.
+    void reloadShaders();
     /// Opens what the options say, as at a start. Throws and stays as it is where that can't be.
     void become(const Options& wanted);
     /// Settings of techniques and scenes that are not shown now, where they are not at their defaults.
@@ -74,6 +78,9 @@ struct Session {
     SceneRecipe* recipe = nullptr;  ///< of a computed scene; null for a file. Its settings are the sliders' own.
     std::unique_ptr<FramePlanner> planner;
     int sceneNumber = 0;
+    ShaderWatch shaderWatch;
+    std::vector<std::string> shaderLog;  ///< empty while all programs are as their files say
+    int shaderNumber = 0;                ///< changes with the programs
     std::string settingsPath = "timeshade-settings.json";  ///< what is typed in the field of settings files
     std::string scenePath;   ///< what is typed in the field
     std::string sceneError;  ///< one line, why the last one could not be opened
@@ -91,6 +98,8 @@ struct Session {
     std::vector<SavedView> savedViews;
 
     Comparison comparison;
+
+    PixelProbe probe;
 
     Diagnostic diagnostic = Diagnostic::None;  ///< in place of the view
     DiagnosticPicture diagnosticPicture;

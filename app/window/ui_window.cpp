@@ -127,6 +127,7 @@ void UiWindow::endFrame() {
     const ImVec4 background = theme::canvas;
     glClearColor(background.x, background.y, background.z, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
+    glUseProgram(0);  // the one in use may have been dropped; ImGui would bring it back
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
 }

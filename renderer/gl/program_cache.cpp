@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/error.h"
+
 namespace timeshade::gl {
 
 const Program& ProgramCache::get(const ProgramDescription& description) {
@@ -9,7 +11,7 @@ const Program& ProgramCache::get(const ProgramDescription& description) {
     for (const std::string& stage : description.stages()) key += stage + "|";
     for (const auto& [name, value] : description.defines) key += "|" + name + "=" + value;
     auto found = programs_.find(key);
-    if (found == programs_.end()) found = programs_.emplace(std::move(key), Entry{Program(description), 0}).first;
+    if (found == programs_.end()) found = programs_.emplace(std::move(key), Entry{Program(description), description, 0}).first;
     found->second.lastUse = ++uses_;
     return found->second.program;
 }
@@ -18,6 +20,18 @@ void ProgramCache::keepLatest(std::size_t count) {
     while (programs_.size() > count)
         programs_.erase(std::min_element(programs_.begin(), programs_.end(),
                                          [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; }));
+}
+
+std::vector<std::string> ProgramCache::reload() {
+    std::vector<std::string> complaints;
+    for (auto& [key, entry] : programs_) {
+        try {
+            entry.program = Program(entry.description);
+        } catch (const Error& error) {
+            complaints.emplace_back(error.what());
+        }
+    }
+    return complaints;
 }
 
 } // namespace timeshade::gl

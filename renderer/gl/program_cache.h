@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "gl/program.h"
 
@@ -17,11 +18,15 @@ class ProgramCache {
     const Program& get(const ProgramDescription& description);
     /// Drops all but the `count` programs that were asked for last.
     void keepLatest(std::size_t count);
+    /// Builds all programs anew from their files. Where one can't be, the last good one stays; what the driver and the files say of
+    /// these, a line each.
+    std::vector<std::string> reload();
     std::size_t size() const { return programs_.size(); }
 
   private:
     struct Entry {
         Program program;
+        ProgramDescription description;
         std::uint64_t lastUse;
     };
     std::map<std::string, Entry> programs_;

@@ -217,6 +217,7 @@ class Window:
 
     def look(self):
         """The whole window."""
+        time.sleep(0.2)  # what the window has drawn last may still be on its way to the screen
         width, height = self.state()["window"]
         data = subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+0+0", "+repage", "-depth", "8", "ppm:-"],
                               env=self.environment, check=True, capture_output=True, timeout=60).stdout

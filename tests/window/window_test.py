@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -202,6 +203,60 @@ class Time(WindowTest):
             frame = data[number * size:(number + 1) * size]
             self.assertEqual(len(shot), len(frame))
             self.assertLess(sum(abs(a - b) for a, b in zip(shot, frame)) / size, 4, f"frame {number}")
+        self.close(window)
+
+
+class Magnifier(WindowTest):
+    def test_the_samples_of_one_pixel(self):
+        window = self.open("pillars", "--technique", "tsm", *QUICK, "--spp", "8", "--size", "700x450")
+        state = window.settle()["state"]
+        (width, height), (whole, _) = state["drawn"], state["window"]
+        window.point(whole - width + width * 0.4, height * 0.75)
+        window.key("m")
+        dump = window.wait(lambda d: d["state"]["probe"] == [True, True], "all answers", 90)
+        rows = {name.split(".", 1)[1]: widget["value"] for name, widget in dump["widgets"].items() if name.startswith("probe.")}
+        self.assertLessEqual({"truth", "tsm", "exact", "ranges", "temporal", "static"}, set(rows))
+        self.assertEqual({len(row) for row in rows.values()}, {8})
+        self.assertEqual(rows["exact"], rows["truth"], "exact is the ray tracer's equal")
+        self.assertTrue(any(value >= 0 for value in rows["truth"]), rows)
+        window.key("m")
+        window.wait_state(probe=[False, False])
+        self.close(window)
+
+
+class Shaders(WindowTest):
+    def test_broken_and_mended(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="timeshade-shaders-"))
+        self.addCleanup(shutil.rmtree, folder, ignore_errors=True)
+        shutil.copytree(pathlib.Path(__file__).parents[2] / "shaders", folder / "shaders")
+        file = folder / "shaders/passes/display.frag"
+        good = file.read_text()
+        # Without --gl-debug: the driver complains of the broken shader, as it should.
+        window = self.open("chess", "--technique", "static", *QUICK[:-1], TIMESHADE_SHADERS=str(folder / "shaders"))
+        window.settle()
+        before = window.look_at_picture()
+        file.write_text(good.replace("void main()", "void main( oops"))
+        state = window.wait(lambda d: d["state"]["shader_log"], "the driver's complaint")["state"]
+        self.assertIn("display.frag", state["shader_log"][0])
+        state = window.settle()["state"]
+        self.assertEqual(state["picture"], "complete")
+        width, height = state["drawn"]
+        self.assertEqual(window.look_at_picture().crop(0, height * 2 // 3, width, height).share_different(before.crop(0, height * 2 // 3, width, height), 0), 0,
+                         "the last good program stays")
+        # Mended, and changed: what it draws is dark.
+        end = good.rindex("}")
+        name = re.search(r"out vec4 (\w+);", good).group(1)
+        file.write_text(good[:end] + f"    {name} *= 0.25;\n" + good[end:])
+        window.wait(lambda d: d["state"]["shader_log"] == [], "the mended shader")
+        window.settle()
+        after = window.look_at_picture()
+        self.assertLess(sum(after.grey()), 0.6 * sum(before.grey()))
+        number = window.state()["shaders"]
+        window.key("F5")
+        window.wait(lambda d: d["state"]["shaders"] == number + 1, "all shaders anew")
+        file.write_text(good)
+        window.wait(lambda d: d["state"]["shaders"] > number + 1, "the first shader")
+        window.settle()
         self.close(window)
 
 
