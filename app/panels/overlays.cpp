@@ -2,6 +2,7 @@
 #include <array>
 
 #include "panels/panels.h"
+#include "panels/technique_pages.h"
 #include "panels/theme.h"
 
 namespace timeshade {
@@ -59,12 +60,32 @@ void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
     endBox();
 }
 
+void drawPage(Session& session, Widgets& widgets, const Area& picture) {
+    const TechniqueDescription& technique = session.technique->description();
+    const TechniquePage page = pageOf(technique.name);
+    beginBox("page", picture, {0.5f, 0.5f}, 460.0f * widgets.scale(), ImGui::GetStyle().Colors[ImGuiCol_Border]);
+    const auto paragraph = [](const char* heading, const std::string& text) {
+        if (text.empty()) return;
+        ImGui::TextColored(theme::accent, "%s", heading);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::Spacing();
+    };
+    paragraph(technique.title.c_str(), technique.summary);
+    paragraph("From", technique.source);
+    paragraph("What it gets wrong", page.wrong);
+    paragraph("Look at", page.look);
+    widgets.dump().lastItem("page", technique.name);
+    if (widgets.button("page.close", "Close")) session.pageVisible = false;
+    endBox();
+}
+
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 23> keys{{{"space", "play or pause"},
+    static constexpr std::array<std::array<const char*, 2>, 24> keys{{{"space", "play or pause"},
                                                                       {"left, right", "a frame back or on"},
                                                                       {", and .", "one instant of the shutter, back or on"},
                                                                       {"Ctrl-R", "start or stop recording"},
                                                                       {"1 .. 9", "technique"},
+                                                                      {"I", "about the technique"},
                                                                       {"V", "next view"},
                                                                       {"F", "hold: the second technique of a comparison"},
                                                                       {"X", "exchange the techniques that are compared"},
@@ -105,6 +126,7 @@ void drawOverlays(Session& session, Widgets& widgets, const Area& picture) {
     if (session.driver.state() == FrameDriver::State::Failed) drawFailure(session, widgets, picture);
     if (!session.shaderLog.empty()) drawShaderLog(session, widgets, picture);
     drawProbe(session, widgets, picture);
+    if (session.pageVisible) drawPage(session, widgets, picture);
     if (session.keysVisible) drawKeys(session, widgets, picture);
     if (session.notice) drawNotice(session, widgets, picture);
 }

@@ -43,6 +43,12 @@ void drawScenePanel(Session& session, Widgets& widgets) {
     ImGui::SameLine();
     const bool pressed = widgets.button("scene.open", "Open", width);
     if ((entered || pressed) && !session.scenePath.empty()) session.wishedScene = session.scenePath;
+    if (!session.recentScenes.empty()) {
+        std::vector<std::string> recent{"opened before"};
+        for (const std::string& path : session.recentScenes) recent.push_back(std::filesystem::path(path).filename().string());
+        if (const auto chosen = widgets.combo("scene.recent", "", recent, 0, ""))
+            if (*chosen > 0) session.wishedScene = session.recentScenes[*chosen - 1];
+    }
     if (!session.sceneError.empty()) {
         widgets.paragraph(session.sceneError, theme::bad);
         widgets.dump().lastItem("scene.error", session.sceneError);

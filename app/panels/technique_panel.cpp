@@ -34,6 +34,7 @@ void drawTechniquePanel(Session& session, Widgets& widgets) {
     widgets.paragraph(now.summary, theme::quiet);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", now.source.c_str());
 
+    if (widgets.button("technique.page", "About this technique (I)", ImGui::GetContentRegionAvail().x)) session.pageVisible = !session.pageVisible;
     drawSettings(*session.technique, "technique.reset", widgets);
     drawFigures(session, widgets);
 }

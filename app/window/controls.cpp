@@ -49,6 +49,7 @@ void applyKey(Session& session, int key) {
     case GLFW_KEY_P: session.wishedScreenshot = true; return;
     case GLFW_KEY_H: session.panelsVisible = !session.panelsVisible; return;
     case GLFW_KEY_R: session.useSceneCamera(session.request.cameraIndex); return;
+    case GLFW_KEY_I: session.pageVisible = !session.pageVisible; return;
     case GLFW_KEY_F5: session.reloadShaders(); return;
     case GLFW_KEY_F1: session.keysVisible = !session.keysVisible; return;
     default: return;

@@ -81,6 +81,10 @@ void Session::openWished(const std::string& name) {
         options.shutterPosition = request.shutter.position;
         adopt(std::move(opened), name);
         sceneError.clear();
+        if (!name.ends_with(".gltf") && !name.ends_with(".glb")) return;
+        std::erase(recentScenes, name);
+        recentScenes.insert(recentScenes.begin(), name);
+        recentScenes.resize(std::min<std::size_t>(recentScenes.size(), 8));
     } catch (const std::exception& error) {
         sceneError = error.what();
     }

@@ -82,6 +82,7 @@ struct Session {
     std::vector<std::string> shaderLog;  ///< empty while all programs are as their files say
     int shaderNumber = 0;                ///< changes with the programs
     std::string settingsPath = "timeshade-settings.json";  ///< what is typed in the field of settings files
+    std::vector<std::string> recentScenes;  ///< files opened in this window, the last first
     std::string scenePath;   ///< what is typed in the field
     std::string sceneError;  ///< one line, why the last one could not be opened
 
@@ -121,6 +122,7 @@ struct Session {
     bool wishedSwap = false;  ///< exchange the techniques that are compared
     bool panelsVisible = true;
     bool keysVisible = false;
+    bool pageVisible = false;  ///< of the technique
     double textScale = 1.0;  ///< the user's own, on top of the display's
     std::string lastScreenshot;
     int screenshots = 0;  ///< saved so far
