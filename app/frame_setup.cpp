@@ -16,6 +16,8 @@ FrameRequest requestOfShutter(const Options& options, const Scene& scene) {
     request.samplesPerPixel = options.samplesPerPixel;
     request.mapSize = options.mapSize;
     request.seed = options.seed;
+    request.planned = !options.noPlan;
+    request.keeps = !options.noKeep;
     request.shutter.framesPerSecond = options.framesPerSecond.value_or(scene.defaults().framesPerSecond);
     request.shutter.length = options.shutterLength.value_or(scene.defaults().shutterLength);
     request.shutter.position = options.shutterPosition;

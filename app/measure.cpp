@@ -12,6 +12,7 @@
 
 
 #include "convergence.h"
+#include "effects.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "make_context.h"
@@ -79,6 +80,7 @@ void showProgress(const std::string& what, int done, int total, double secondsLe
 
 int runMeasure(const Options& options) {
     if (!options.historyFrames.empty()) return runConvergence(options);
+    if (options.effects) return runEffects(options);
     const std::filesystem::path folder(options.output);
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);

@@ -202,6 +202,8 @@ void addFrameOptions(CLI::App& app, Options& options, std::string& size, std::ve
         ->multi_option_policy(last);
     app.add_option("--seam", options.seam, "where a wipe's seam lies: the share of the width that is the first's")->check(numberFrom(0.0, 1.0))->multi_option_policy(last);
     app.add_flag("--explain", options.explain, "print the plan: which passes run, and why");
+    app.add_flag("--no-plan", options.noPlan, "treat every triangle as moving, leave none out for what nobody sees, keep nothing from frame to frame");
+    app.add_flag("--no-keep", options.noKeep, "draw what stands still anew in every frame");
     app.add_option("--json", options.json, "write a report of the frame")->check(notEmpty("a file name"))->multi_option_policy(last);
     app.add_flag("--gl-debug", options.debugGl, "fail on anything that the driver complains of, and on a NaN or an infinity in any buffer");
     // Taken out beforehand; declared here for --help.
@@ -322,6 +324,7 @@ Options parseArguments(const std::vector<std::string>& given) {
     measure->add_option("--history-frames", options.historyFrames,
                         "instead: how a still picture of `history` converges, as in 1,5,10,20,40,60 (with --shutter 0 --spp 1: hard shadows)")
         ->delimiter(',')->check(numberFrom(1, 10000));
+    measure->add_flag("--effects", options.effects, "instead: what each thing that moves costs, and what the plan saves, for the first of --techniques (default: ranges)");
     measure->add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")->check(numberFrom(2, 1000));
     measure->add_option("--reference", options.referenceSamples, "samples per pixel of the reference")->check(numberFrom(1, 65536));
     addFrameOptions(*measure, options, size, settings, viewName);

@@ -57,6 +57,7 @@ struct Options {
     std::string script;  ///< record: JSON file of the parts to draw; empty for the options' own scene
 
     bool explain = false;
+    bool noPlan = false, noKeep = false;
     std::string json;   ///< path for a machine-readable report
     std::string dump;              ///< folder for verify's data
     std::optional<double> maxPpm;  ///< verify: exit code 3 above it
@@ -67,6 +68,7 @@ struct Options {
     std::vector<int> historyFrames;  ///< measure: not empty for the convergence of a still picture instead
     std::string variedSetting;          ///< measure: a computed scene's setting, "cubes.count"; empty for none
     std::vector<std::string> variedValues;  ///< the values that it takes, checked
+    bool effects = false;         ///< measure: what each thing that moves costs instead
     int rounds = 3;               ///< measure: how often each point is timed, each with a seed of its own
     int referenceSamples = 256;   ///< measure: samples per pixel of the reference
     std::string commandLine;      ///< as typed, for manifests

@@ -15,20 +15,32 @@ std::string deviceLine(const gl::DeviceInfo& device) {
 
 std::string inMebibytes(std::size_t bytes) { return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024.0 * 1024.0)); }
 
-std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device) {
-    std::string text = fmt::format("device    {}\n", deviceLine(device));
-    text += fmt::format("technique {}\n", technique.description().title);
-    text += fmt::format("shutter   frame {:g}, open {:g} frames at {:g} frames per second\n", plan.request.frame,
-                        plan.request.shutter.length, plan.request.shutter.framesPerSecond);
-    const auto line = [&](const PassDecision& pass) {
-        const std::string count = pass.triangles > 0 ? fmt::format("{} of {} triangles: ", pass.triangles, plan.motion.triangles) : "";
-        text += fmt::format("{:<9} {}{}\n", pass.name, count, pass.reason);
+std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device) {
+    std::vector<PlanLine> lines{
+        {"device", deviceLine(device)},
+        {"technique", technique.description().title},
+        {"shutter", fmt::format("frame {:g}, open {:g} frames at {:g} frames per second", plan.request.frame, plan.request.shutter.length,
+                                plan.request.shutter.framesPerSecond)},
     };
-    if (const std::string words = warmUpWords(technique, plan.request); !words.empty()) text += fmt::format("first     {}\n", words);
-    for (const PassDecision& pass : plan.passes) line(pass);
-    for (const PassDecision& pass : technique.passes(plan)) line(pass);
-    if (const auto reason = technique.unsupported(plan)) text += fmt::format("CANNOT    {}\n", *reason);
-    for (const std::string& warning : plan.warnings) text += fmt::format("beware    {}\n", warning);
+    const MotionSummary& motion = plan.motion;
+    lines.push_back({"motion", fmt::format("{} of {} meshes move in the light's frame, {} of them turn or deform; known from the frame before: {} of {} triangles",
+                                           motion.movingInstances, motion.instances, motion.bendingInstances,
+                                           motion.triangles - motion.decidedAnew, motion.triangles)});
+    if (!plan.request.planned) lines.push_back({"no plan", "every triangle is treated as moving, and nothing is kept"});
+    if (const std::string words = warmUpWords(technique, plan.request); !words.empty()) lines.push_back({"first", words});
+    const auto add = [&](const PassDecision& pass) {
+        lines.push_back({pass.name, (pass.triangles > 0 ? fmt::format("{} of {} triangles: ", pass.triangles, plan.motion.triangles) : "") + pass.reason});
+    };
+    for (const PassDecision& pass : plan.passes) add(pass);
+    for (const PassDecision& pass : technique.passes(plan)) add(pass);
+    if (const auto reason = technique.unsupported(plan)) lines.push_back({"CANNOT", *reason});
+    for (const std::string& warning : plan.warnings) lines.push_back({"beware", warning});
+    return lines;
+}
+
+std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device) {
+    std::string text;
+    for (const PlanLine& line : explainedLines(plan, technique, device)) text += fmt::format("{:<15} {}\n", line.word, line.text);
     return text;
 }
 
@@ -44,8 +56,8 @@ std::string inWords(const TechniqueFigure& figure) {
 std::string countedInWords(const Technique& technique) {
     std::string text;
     for (const TechniqueFigure& figure : technique.figures()) {
-        text += fmt::format("counted   {}: {}\n", figure.name, inWords(figure));
-        if (!figure.warning.empty()) text += fmt::format("beware    {}\n", figure.warning);
+        text += fmt::format("counted         {}: {}\n", figure.name, inWords(figure));
+        if (!figure.warning.empty()) text += fmt::format("beware          {}\n", figure.warning);
     }
     return text;
 }

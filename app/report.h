@@ -9,6 +9,13 @@
 
 namespace timeshade {
 
+/// What the plan says about one thing: "build/still map", and why it is there.
+struct PlanLine {
+    std::string word;
+    std::string text;
+};
+std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device);
+
 /// The plan in words: what moves, which passes run, why, and what to beware of.
 std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device);
 

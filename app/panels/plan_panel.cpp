@@ -1,4 +1,4 @@
-#include <sstream>
+#include <fmt/format.h>
 
 #include "panels/panels.h"
 #include "panels/theme.h"
@@ -6,22 +6,23 @@
 
 namespace timeshade {
 
-/// explain() as it is printed: a word of up to nine letters, and what there is to say about it.
+/// What --explain prints, with the time that each pass took in the last frame.
 void drawPlanPanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.plan", "Plan: what runs, and why", false)) return;
     if (!session.driver.hasPlan()) {
         widgets.paragraph("no data", theme::quiet);
         return;
     }
-    constexpr std::size_t wordWidth = 10;
-    std::istringstream lines(explain(session.renderer.plan(), *session.technique, session.renderer.device()));
-    for (std::string line; std::getline(lines, line);) {
-        const bool bad = line.starts_with("beware") || line.starts_with("CANNOT");
-        if (line.starts_with("device") || line.size() <= wordWidth) continue;
-        const std::size_t end = line.find_last_not_of(' ', wordWidth - 1);
-        widgets.paragraph(line.substr(0, end + 1), bad ? theme::warning : theme::accent);
+    const std::vector<gl::PassTimer::Reading> times = session.driver.times().medians();
+    for (const PlanLine& line : explainedLines(session.renderer.plan(), *session.technique, session.renderer.device())) {
+        if (line.word == "device") continue;
+        const bool bad = line.word == "beware" || line.word == "CANNOT";
+        std::string word = line.word;
+        for (const gl::PassTimer::Reading& reading : times)
+            if (reading.name == line.word) word += fmt::format("  {:.1f} ms", reading.milliseconds);
+        widgets.paragraph(word, bad ? theme::warning : theme::accent);
         ImGui::Indent();
-        widgets.paragraph(line.substr(wordWidth), bad ? theme::warning : theme::text);
+        widgets.paragraph(line.text, bad ? theme::warning : theme::text);
         ImGui::Unindent();
     }
 }

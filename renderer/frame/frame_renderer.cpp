@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 #include <fmt/format.h>
@@ -36,6 +37,19 @@ std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type)
     return values;
 }
 
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+    hash = (hash ^ value) * 0x9e3779b97f4a7c15ull;
+    return hash ^ (hash >> 29);
+}
+
+/// Another number for another technique and for every other value of its settings.
+std::uint64_t keyOf(Technique& technique) {
+    std::uint64_t key = 0x51afd7ed558ccdull;
+    for (const char letter : technique.description().name) key = mixed(key, static_cast<unsigned char>(letter));
+    for (const Setting& setting : settingsOf(technique)) key = mixed(key, std::bit_cast<std::uint64_t>(setting.get()));
+    return key;
+}
+
 } // namespace
 
 FrameRenderer::FrameRenderer()
@@ -44,7 +58,8 @@ FrameRenderer::FrameRenderer()
       samplePass_(programs_),
       shadePass_(programs_),
       displayPass_(programs_),
-      heatMapPass_(programs_) {}
+      heatMapPass_(programs_),
+      lookupPass_(programs_) {}
 
 void FrameRenderer::resize(int width, int height, int strata) {
     GLint largest = 0, deepest = 0;
@@ -57,6 +72,8 @@ void FrameRenderer::resize(int width, int height, int strata) {
     if (!samples_ || !fits(samples_->ids(), strata)) {
         samples_.emplace(width, height, strata);
         visibility_.emplace(width, height, strata);
+        samplePass_.forget();
+        lookupPass_.forget();
     }
     if (!radiance_ || !fits(*radiance_, 1)) {
         radiance_ = gl::Texture::image2D("radiance", GL_RGBA32F, width, height);
@@ -72,6 +89,7 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
     programs_.keepLatest(programsKept);
     plan_ = std::move(plan);
     technique_ = &technique;
+    techniqueKey_ = keyOf(technique);
     techniqueView_ = std::move(own);
     view_ = view;
     renders_ = technique.renders();
@@ -89,18 +107,22 @@ bool FrameRenderer::step() {
     const FramePlan render = renders_ > 1 ? planAtInstant(*plan_, done_, renders_) : *plan_;
     uniforms_.set(render);
     mesh_.bind();
-    const TechniqueFrame frame{render, mesh_, *samples_, *visibility_, fullscreen_, timer_};
     {
         const auto timed = timer_.scope("sample");
         samplePass_.draw(render, mesh_, *samples_);
     }
+    const TechniqueFrame frame{render,  mesh_,  *samples_,   *visibility_, fullscreen_,
+                               timer_, lookupPass_, samplePass_.stillIds(render, *samples_),
+                               render.still.lit == 0 ? 0 : mixed(techniqueKey_, render.still.lit) | 1};
     {
         const auto timed = timer_.scope("build");
         technique_->build(frame);
     }
     {
         const auto timed = timer_.scope("lookup");
+        lookupPass_.begin();
         technique_->lookup(frame);
+        lookupPass_.end();
     }
     if (techniqueView_) {
         const auto timed = timer_.scope("view");
@@ -168,7 +190,7 @@ GpuMemory FrameRenderer::memory() const {
     GpuMemory memory;
     memory.mesh = mesh_.bytes();
     memory.samples = samplePass_.bytes() + (samples_ ? samples_->bytes() : 0);
-    memory.visibility = visibility_ ? visibility_->bytes() : 0;
+    memory.visibility = (visibility_ ? visibility_->bytes() : 0) + lookupPass_.bytes();
     memory.technique = technique_ ? technique_->bytes() : 0;
     memory.picture = (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);
     return memory;

@@ -81,6 +81,7 @@ class FrameRenderer {
     ShadePass shadePass_;
     DisplayPass displayPass_;
     HeatMapPass heatMapPass_;
+    LookupPass lookupPass_;
     std::optional<SampleBuffer> samples_;
     std::optional<VisibilityBuffer> visibility_;
     std::optional<gl::Texture> radiance_, picture_;
@@ -88,6 +89,7 @@ class FrameRenderer {
 
     std::optional<FramePlan> plan_;
     Technique* technique_ = nullptr;
+    std::uint64_t techniqueKey_ = 0;  ///< stands for the technique and its settings
     View view_ = View::Final;
     std::optional<TechniqueView> techniqueView_;
     int renders_ = 0, done_ = 0;

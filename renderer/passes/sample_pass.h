@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "passes/sample_buffer.h"
@@ -8,16 +9,29 @@
 namespace timeshade {
 
 /// Finds out what every camera sample sees: shared by all techniques, so that they are compared on the same samples.
+/// What stands still before the camera is drawn once: from the second frame in which it is the same it is kept (a number and a depth a
+/// sample), and only what moves is drawn on top; where nothing moves, nothing is drawn.
 class SamplePass {
   public:
-    explicit SamplePass(gl::ProgramCache& programs) : rasterizer_(programs) {}
-    /// The frame's uniforms and the mesh must be bound. `samples` has the plan's size.
+    explicit SamplePass(gl::ProgramCache& programs) : programs_(programs), rasterizer_(programs) {}
     void draw(const FramePlan& plan, const GpuMesh& mesh, const SampleBuffer& samples);
-    std::size_t bytes() const { return rasterizer_.bytes() + (depth_ ? depth_->bytes() : 0); }
+    /// What the camera sees of what stands still alone; null where that is not known. `samples` as drawn last.
+    const gl::Texture* stillIds(const FramePlan& plan, const SampleBuffer& samples) const;
+    /// The buffers are others, or were drawn into by someone else.
+    void forget();
+    std::size_t bytes() const;
 
   private:
+    void drawKept(const FramePlan& plan, const GpuMesh& mesh, const SampleBuffer& samples);
+    void dropKept();
+
+    gl::ProgramCache& programs_;
     StochasticRasterizer rasterizer_;
     std::optional<gl::Texture> depth_;
+    std::optional<gl::Texture> keptIds_, keptDepth_;
+    std::uint64_t seen_ = 0;   ///< FramePlan::still.samples of the frame before
+    std::uint64_t drawn_ = 0;  ///< of what the sample buffer holds, where nothing else is in it
+    std::uint64_t kept_ = 0;   ///< of what is kept
 };
 
 } // namespace timeshade

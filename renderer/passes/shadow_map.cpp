@@ -2,7 +2,29 @@
 
 namespace timeshade {
 
-void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const glm::mat3& mapFromPlane) {
+namespace {
+
+/// Triangles in a row are drawn by one call's entry: the mesh's own index buffer serves, whatever is left out.
+struct Runs {
+    std::vector<GLsizei> counts;
+    std::vector<const void*> offsets;
+};
+
+Runs runsOf(const std::vector<std::uint32_t>& triangles) {
+    Runs runs;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (i == 0 || triangles[i] != triangles[i - 1] + 1) {
+            runs.counts.push_back(0);
+            runs.offsets.push_back(reinterpret_cast<const void*>(std::size_t{triangles[i]} * 3 * sizeof(std::uint32_t)));
+        }
+        runs.counts.back() += 3;
+    }
+    return runs;
+}
+
+} // namespace
+
+void ShadowMap::begin(const FramePlan& plan, float instant, const glm::mat3& mapFromPlane) {
     const int size = plan.request.mapSize;
     if (!depth_ || depth_->width() != size) {
         depth_ = gl::Texture::array2D("shadow map", GL_DEPTH_COMPONENT32F, size, size, 1);
@@ -22,16 +44,46 @@ void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, 
     glDepthFunc(GL_GREATER);
     glDepthMask(GL_TRUE);
     target_->bindForDrawing(size, size);
+    program.use();
+    glUniform1f(0, instant);
+    glUniformMatrix3fv(1, 1, GL_FALSE, &mapFromPlane[0][0]);
+}
+
+void ShadowMap::clear() const {
     const float farthest = 0.0f;
     glClearNamedFramebufferfv(target_->name(), GL_DEPTH, 0, &farthest);
     const GLuint none[4] = {NO_TRIANGLE, 0, 0, 0};
     if (keepsTriangles_) glClearNamedFramebufferuiv(target_->name(), GL_COLOR, 0, none);
-    program.use();
-    glUniform1f(0, instant);
-    glUniformMatrix3fv(1, 1, GL_FALSE, &mapFromPlane[0][0]);
+}
+
+void ShadowMap::drawRuns(const GpuMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+    const Runs runs = runsOf(triangles);
+    glBindVertexArray(mesh.vertices().name());
+    if (!triangles.empty())
+        glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.offsets.data(), static_cast<GLsizei>(runs.counts.size()));
+    glDisable(GL_DEPTH_TEST);
+}
+
+void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const glm::mat3& mapFromPlane) {
+    begin(plan, instant, mapFromPlane);
+    clear();
     glBindVertexArray(mesh.vertices().name());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mesh.triangleCount()), GL_UNSIGNED_INT, nullptr);
     glDisable(GL_DEPTH_TEST);
+}
+
+void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const std::vector<std::uint32_t>& triangles) {
+    begin(plan, instant, glm::mat3(1.0f));
+    clear();
+    drawRuns(mesh, triangles);
+}
+
+void ShadowMap::drawOnto(const ShadowMap& start, const FramePlan& plan, const GpuMesh& mesh, float instant,
+                         const std::vector<std::uint32_t>& triangles) {
+    begin(plan, instant, glm::mat3(1.0f));
+    glCopyImageSubData(start.depth().name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, depth_->name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, depth_->width(),
+                       depth_->height(), 1);
+    drawRuns(mesh, triangles);
 }
 
 } // namespace timeshade

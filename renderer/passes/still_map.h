@@ -1,30 +1,36 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "gl/framebuffer.h"
-#include "gl/program_cache.h"
-#include "passes/gpu_mesh.h"
+#include "passes/shadow_map.h"
+#include "passes/stochastic_rasterizer.h"
 
 namespace timeshade {
 
 /// The nearest depth per texel of triangles that stand still in the light's own frame: one ordinary shadow map says all about
-/// them for the whole shutter. Reversed depth as in ShadowMap, 0 where there is nothing.
+/// them for the whole shutter, and for every frame until something of it changes (FramePlan::still). Reversed depth as in
+/// ShadowMap, 0 where there is nothing.
 class StillMap {
   public:
-    explicit StillMap(gl::ProgramCache& programs) : programs_(programs) {}
-    /// `triangles` in ascending order (LightMotion::still). The frame's uniforms must be bound.
-    void draw(const FramePlan& plan, const GpuMesh& mesh, const std::vector<std::uint32_t>& triangles);
-    const gl::Texture& depth() const { return *depth_; }
-    bool drawn() const { return depth_.has_value(); }
-    std::size_t bytes() const { return depth_ ? depth_->bytes() : 0; }
+    /// Which texels a triangle covers: as a rasteriser of fixed-point vertices has it, or, as in a StochasticRasterizer's layers, those
+    /// whose exact middle it covers. A technique takes that by which it draws what moves, so that the plan changes no texel.
+    enum class Coverage { Rasterized, Exact };
+
+    explicit StillMap(gl::ProgramCache& programs, Coverage coverage = Coverage::Rasterized)
+        : programs_(programs), coverage_(coverage), map_(programs) {}
+    /// Draws plan.casters.still, unless that is what it holds. The frame's uniforms and the mesh must be bound.
+    void draw(const FramePlan& plan, const GpuMesh& mesh);
+    const gl::Texture& depth() const { return exact_ ? *exact_ : map_.depth(); }
+    const ShadowMap& map() const { return map_; }
+    bool drawn() const { return exact_ || map_.drawn(); }
+    std::size_t bytes() const { return exact_ ? exact_->bytes() : map_.bytes(); }
 
   private:
     gl::ProgramCache& programs_;
-    std::optional<gl::Framebuffer> target_;
-    std::optional<gl::Texture> depth_;
+    Coverage coverage_;
+    ShadowMap map_;
+    std::optional<gl::Texture> exact_;
+    std::uint64_t version_ = 0;
 };
 
 } // namespace timeshade

@@ -27,20 +27,28 @@ bool uploadList(std::optional<gl::Buffer>& buffer, const char* label, const std:
     return renewed;
 }
 
+void copyLayer(const gl::Texture& from, int fromLayer, const gl::Texture& to, int toLayer) {
+    glCopyImageSubData(from.name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, fromLayer, to.name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, toLayer, from.width(),
+                       from.height(), 1);
+}
+
 } // namespace
 
 StochasticRasterizer::StochasticRasterizer(gl::ProgramCache& programs)
     : programs_(programs), target_("stochastic raster target"), none_("no attributes") {}
 
-void StochasticRasterizer::uploadLists(const ViewPlan& view) {
-    uploadList(small_, "small triangles", view.smallTriangles);
-    if (uploadList(large_, "large triangles", view.largeTriangles))
-        largeView_ = gl::Texture::ofBuffer("large triangles", GL_R32UI, *large_);
+void StochasticRasterizer::upload(Uploaded& uploaded, const TriangleLists& lists) {
+    uploadList(uploaded.small, "small triangles", lists.small);
+    if (uploadList(uploaded.large, "large triangles", lists.large))
+        uploaded.largeView = gl::Texture::ofBuffer("large triangles", GL_R32UI, *uploaded.large);
+    uploaded.smallCount = lists.small.size();
+    uploaded.largeCount = lists.large.size();
 }
 
-void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, Role role, Output output, std::uint32_t strata,
-                                const gl::Texture* color, const gl::Texture& depth) {
-    uploadLists(view);
+void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, std::initializer_list<const TriangleLists*> lists, Role role,
+                                Output output, std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth, const Start* start) {
+    uploaded_.resize(lists.size());
+    for (std::size_t i = 0; i < lists.size(); ++i) upload(uploaded_[i], *lists.begin()[i]);
     const gl::ShaderDefines defines = definesFor(view, role, output);
     const gl::Program& points =
         programs_.get({"stochastic points", "passes/stochastic_points.vert", "passes/stochastic.frag", defines});
@@ -53,39 +61,53 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, Role 
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glEnable(GL_PROGRAM_POINT_SIZE);
-    largeView_->bind(LARGE_TRIANGLES_UNIT);
-    glVertexArrayElementBuffer(mesh.trianglesAsVertices().name(), small_->name());
     target_.setColorCount(color ? 1 : 0);
     for (std::uint32_t stratum = 0; stratum < strata; ++stratum) {
-        const int layer = static_cast<int>(stratum);
+        const int layer = static_cast<int>(stratum), depthLayer = depth.layers() > 1 ? layer : 0;
+        if (start) {
+            copyLayer(start->color, layer, *color, layer);
+            copyLayer(start->depth, layer, depth, depthLayer);
+        }
         if (color) target_.attach(GL_COLOR_ATTACHMENT0, *color, layer);
-        target_.attach(GL_DEPTH_ATTACHMENT, depth, depth.layers() > 1 ? layer : 0);
+        target_.attach(GL_DEPTH_ATTACHMENT, depth, depthLayer);
         target_.bindForDrawing(depth.width(), depth.height());
-        const float farthest = 0.0f;
-        glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &farthest);
-        if (output == Output::TriangleId) {
-            const std::array<GLuint, 4> nothing{NO_TRIANGLE, 0, 0, 0};
-            glClearNamedFramebufferuiv(target_.name(), GL_COLOR, 0, nothing.data());
-        } else if (color) {
-            const std::array<GLfloat, 4> zero{};
-            glClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, zero.data());
-        }
-        if (!view.smallTriangles.empty()) {
-            points.use();
-            glUniform1ui(0, stratum);
-            glBindVertexArray(mesh.trianglesAsVertices().name());
-            glDrawElements(GL_POINTS, static_cast<GLsizei>(view.smallTriangles.size()), GL_UNSIGNED_INT, nullptr);
-        }
-        if (!view.largeTriangles.empty()) {
-            rectangles.use();
-            glUniform1ui(0, stratum);
-            glBindVertexArray(none_.name());
-            glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(view.largeTriangles.size()));
+        if (!start) clear(output, color != nullptr);
+        for (const Uploaded& list : uploaded_) {
+            if (list.smallCount > 0) {
+                points.use();
+                glUniform1ui(0, stratum);
+                glVertexArrayElementBuffer(mesh.trianglesAsVertices().name(), list.small->name());
+                glBindVertexArray(mesh.trianglesAsVertices().name());
+                glDrawElements(GL_POINTS, static_cast<GLsizei>(list.smallCount), GL_UNSIGNED_INT, nullptr);
+            }
+            if (list.largeCount > 0) {
+                rectangles.use();
+                glUniform1ui(0, stratum);
+                list.largeView->bind(LARGE_TRIANGLES_UNIT);
+                glBindVertexArray(none_.name());
+                glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.largeCount));
+            }
         }
     }
     glDisable(GL_DEPTH_TEST);
 }
 
-std::size_t StochasticRasterizer::bytes() const { return (small_ ? small_->bytes() : 0) + (large_ ? large_->bytes() : 0); }
+void StochasticRasterizer::clear(Output output, bool color) const {
+    const float farthest = 0.0f;
+    glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &farthest);
+    if (output == Output::TriangleId) {
+        const std::array<GLuint, 4> nothing{NO_TRIANGLE, 0, 0, 0};
+        glClearNamedFramebufferuiv(target_.name(), GL_COLOR, 0, nothing.data());
+    } else if (color) {
+        const std::array<GLfloat, 4> zero{};
+        glClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, zero.data());
+    }
+}
+
+std::size_t StochasticRasterizer::bytes() const {
+    std::size_t sum = 0;
+    for (const Uploaded& list : uploaded_) sum += (list.small ? list.small->bytes() : 0) + (list.large ? list.large->bytes() : 0);
+    return sum;
+}
 
 } // namespace timeshade

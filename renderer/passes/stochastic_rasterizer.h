@@ -1,6 +1,8 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "gl/program_cache.h"
@@ -18,22 +20,34 @@ class StochasticRasterizer {
 
     explicit StochasticRasterizer(gl::ProgramCache& programs);
 
-    /// `color` (one layer a stratum, if the output has one) and `depth` (one layer a stratum, or one layer used for
-    /// every stratum in turn) are cleared first. Depth is reversed: near / distance under perspective, 1 - distance / far when
-    /// orthographic, 0 where nothing is. The frame's uniforms and the mesh must be bound.
-    void draw(const GpuMesh& mesh, const ViewPlan& view, Role role, Output output, std::uint32_t strata,
-              const gl::Texture* color, const gl::Texture& depth);
+    /// What the layers hold before anything is drawn, instead of nothing: the same layers of other textures.
+    struct Start {
+        const gl::Texture& color;
+        const gl::Texture& depth;
+    };
+
+    /// Draws the lists in turn. `color` (one layer a stratum, if the output has one) and `depth` (one layer a stratum, or one layer used
+    /// for every stratum in turn) are cleared first, or take what `start` has. Depth is reversed: near / distance under perspective,
+    /// 1 - distance / far when orthographic, 0 where nothing is. The frame's uniforms and the mesh must be bound.
+    void draw(const GpuMesh& mesh, const ViewPlan& view, std::initializer_list<const TriangleLists*> lists, Role role, Output output,
+              std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth, const Start* start = nullptr);
 
     std::size_t bytes() const;
 
   private:
-    void uploadLists(const ViewPlan& view);
+    /// A plan's lists on the GPU.
+    struct Uploaded {
+        std::optional<gl::Buffer> small, large;
+        std::optional<gl::Texture> largeView;
+        std::size_t smallCount = 0, largeCount = 0;
+    };
+    static void upload(Uploaded& uploaded, const TriangleLists& lists);
+    void clear(Output output, bool color) const;
 
     gl::ProgramCache& programs_;
     gl::Framebuffer target_;
     gl::VertexArray none_;
-    std::optional<gl::Buffer> small_, large_;
-    std::optional<gl::Texture> largeView_;
+    std::vector<Uploaded> uploaded_;
 };
 
 } // namespace timeshade

@@ -101,8 +101,24 @@ double exposureOf(const Scene& scene) {
     return 2.6 * 3.14159265358979 * squared / strongest;
 }
 
+/// What the meshes do, each as a whole: by the one of its triangles that does most.
+void countInstances(const FramePlan& plan, MotionSummary& motion) {
+    const MeshTopology& topology = *plan.mesh->topology;
+    enum : char { still, moving, bending };
+    std::vector<char> does(topology.instanceCount, still);
+    for (std::size_t id = 0; id < plan.triangles->size(); ++id) {
+        const TriangleMotion& triangle = (*plan.triangles)[id];
+        char& instance = does[topology.triangleInstances[id]];
+        instance = std::max(instance, static_cast<char>(triangle.bends ? bending : triangle.light.moves ? moving : still));
+    }
+    motion.instances = does.size();
+    motion.bendingInstances = static_cast<std::size_t>(std::count(does.begin(), does.end(), char{bending}));
+    motion.movingInstances = motion.bendingInstances + static_cast<std::size_t>(std::count(does.begin(), does.end(), char{moving}));
+}
+
 MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
-    MotionSummary motion;
+    MotionSummary motion = plan.motion;
+    countInstances(plan, motion);
     motion.triangles = plan.mesh->topology->triangles.size();
     motion.movingTriangles = movingTriangles;
     motion.lightMoves = plan.lightOpen.kind == LightKind::Spot && plan.lightOpen.position != plan.lightClose.position;
@@ -160,15 +176,10 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     plan.block.mapSize = static_cast<std::uint32_t>(request.mapSize);
     plan.block.weight = 1.0f;
 
-    CullingRules rules;
-    rules.strata = plan.block.strata;
-    rules.dropFacingAway = true;
-    listTriangles(plan.camera, plan.texels->positions, rules);
-    rules.dropFacingAway = false;  // backs cast shadows too, whatever the material says
-    listTriangles(plan.light, plan.texels->positions, rules);
+    decideMotion(plan);
 
     plan.motion = summarise(plan, movingTriangles_);
-    const std::size_t seen = plan.camera.smallTriangles.size() + plan.camera.largeTriangles.size();
+    const std::size_t seen = plan.camera.still.count() + plan.camera.moving.count();
     plan.passes.push_back({"sample", fmt::format("{}; {} triangles face away throughout, {} are never in the picture",
                                                  motionWords(plan.motion), plan.camera.facingAwayTriangles, plan.camera.outsideTriangles),
                            seen});
@@ -181,8 +192,28 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     return plan;
 }
 
+void FramePlanner::decideMotion(FramePlan& plan) {
+    const MotionMemory::Motion motion = memory_.update(plan.texels, {plan.camera, plan.light, plan.block});
+    plan.triangles = motion.triangles;
+    plan.motion.decidedAnew = motion.decidedAnew;
+    const bool planned = plan.request.planned;
+    listTriangles(plan.camera, *plan.triangles, &TriangleMotion::camera, {.dropFacingAway = true, .allMove = !planned});
+    // Backs cast shadows too, whatever the material says.
+    const ListRules lightRules{.dropUnseenShadows = planned, .allMove = !planned};
+    listTriangles(plan.light, *plan.triangles, &TriangleMotion::light, lightRules);
+    plan.casters = casterLists(*plan.triangles, lightRules);
+    if (!planned || !plan.request.keeps) return;
+    plan.still = motion.versions;
+    const bool lightMoves = plan.block.lightPositionOpen != plan.block.lightPositionClose;
+    if (plan.camera.still.empty()) plan.still.samples = 0;
+    if (plan.still.samples == 0 || lightMoves) plan.still.lit = 0;
+    if (plan.still.lit != 0 && !plan.casters.nothingMoves()) plan.reached = maskOfMovingCasters(plan);
+}
+
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {
     FramePlan instant = plan;
+    // Its samples are others.
+    instant.still.samples = instant.still.lit = 0;
     instant.block.timeBase = (static_cast<float>(m) + 0.5f) / static_cast<float>(renders);
     instant.block.timeScale = 0.0f;
     instant.block.strata = 1;

@@ -8,6 +8,10 @@
 #include <glm/glm.hpp>
 
 #include "plan/frame_request.h"
+#include "plan/light_motion.h"
+#include "plan/motion_memory.h"
+#include "plan/moving_mask.h"
+#include "plan/triangle_motion.h"
 #include "plan/view_plan.h"
 #include "scene/light.h"
 #include "scene/scene.h"
@@ -28,6 +32,8 @@ struct MotionSummary {
     std::size_t movingTriangles = 0;  ///< any vertex moves in the world
     bool lightMoves = false;
     bool cameraMoves = false;
+    std::size_t decidedAnew = 0;      ///< triangles whose motion was not known from the frame before
+    std::size_t instances = 0, movingInstances = 0, bendingInstances = 0;  ///< meshes; that move in the light's frame; of those, that turn or deform
     double largestTurnDegrees = 0.0;
 };
 
@@ -50,6 +56,10 @@ struct FramePlan {
     ViewPlan light;
     shared::FrameBlock block{};
     MotionSummary motion;
+    std::shared_ptr<const std::vector<TriangleMotion>> triangles;  ///< what each does in this shutter
+    LightMotion casters;    ///< the light's side of it, by the way in which a technique has to draw them
+    StillVersions still;    ///< what may be kept from frame to frame
+    MovingMask reached;     ///< where in the light's map something that moves may cast a shadow; empty unless still.lit
     std::vector<PassDecision> passes;
     std::vector<std::string> warnings;
     const std::vector<Material>* materials = nullptr;  ///< the scene's, which outlives the plan
@@ -65,6 +75,7 @@ class FramePlanner {
 
   private:
     void deform(double openSeconds, double closeSeconds);
+    void decideMotion(FramePlan& plan);
 
     const Scene& scene_;
     glm::dvec3 origin_{0.0};
@@ -73,6 +84,7 @@ class FramePlanner {
     std::shared_ptr<const MotionMesh> mesh_;
     std::shared_ptr<const MeshTexels> texels_;
     std::size_t movingTriangles_ = 0;
+    MotionMemory memory_;
 };
 
 /// The plan of render m of `renders` of the same frame: one camera sample per pixel, all of them at the instant

@@ -19,6 +19,8 @@ struct FrameRequest {
     double frame = 0.0;         ///< number of the frame; whole numbers unless scrubbing
     Shutter shutter;
     std::size_t cameraIndex = 0;
+    bool planned = true;        ///< false: every triangle is treated as moving, none is left out for what nobody sees, nothing is kept
+    bool keeps = true;          ///< false: what stands still is drawn anew in every frame
     std::optional<CameraPose> cameraPose;  ///< replaces the scene's camera (held still over the shutter)
 };
 

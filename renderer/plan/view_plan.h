@@ -22,6 +22,13 @@ struct ViewEnd {
     glm::dvec3 up;      ///< along the image's full height
 };
 
+/// Triangles in ascending order. Small ones are drawn as points: none is ever wider than maximumPointSide pixels.
+struct TriangleLists {
+    std::vector<std::uint32_t> small, large;
+    std::size_t count() const { return small.size() + large.size(); }
+    bool empty() const { return count() == 0; }
+};
+
 /// How the camera or the light's map sees the scene during a shutter, and which triangles it has to draw.
 struct ViewPlan {
     Projection projection = Projection::Perspective;
@@ -29,12 +36,11 @@ struct ViewPlan {
     ViewEnd open, close;
     shared::ViewBlock block{};
 
-    /// Triangles that may be seen, in ascending order, each in one of the two lists. Small ones are drawn as points:
-    /// none is ever wider than maximumPointSide pixels.
-    std::vector<std::uint32_t> smallTriangles;
-    std::vector<std::uint32_t> largeTriangles;
+    /// Triangles that may be seen, each in one list: apart by whether they move relative to the view.
+    TriangleLists still, moving;
     std::size_t outsideTriangles = 0;     ///< dropped: never inside the view
     std::size_t facingAwayTriangles = 0;  ///< dropped: one-sided and turned away all through the shutter
+    std::size_t unseenTriangles = 0;      ///< dropped: moving casters whose shadow nobody sees
 };
 
 /// Sides that GL promises nowhere but every driver has; the sample pass falls back on rectangles above it.
@@ -42,15 +48,5 @@ inline constexpr int maximumPointSide = 63;
 
 /// Fills the block's matrices from the ends of the view. near and far in world units.
 void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double farDistance);
-
-struct CullingRules {
-    bool dropFacingAway = false;       ///< true for the camera, which sees no backs of one-sided triangles
-    std::uint32_t strata = 1;
-    double timeBase = 0.0, timeScale = 1.0;
-};
-
-/// Fills the view's lists. `positionTexels` are the mesh's uploaded texels (TRIANGLE_POSITION_TEXELS a triangle), so
-/// that what is decided here is decided on the very numbers that the GPU sees.
-void listTriangles(ViewPlan& view, const std::vector<glm::vec4>& positionTexels, const CullingRules& rules);
 
 } // namespace timeshade

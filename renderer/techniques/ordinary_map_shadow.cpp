@@ -29,27 +29,56 @@ float OrdinaryMapShadow::instantOf(const FramePlan& plan) {
 }
 
 void OrdinaryMapShadow::build(const TechniqueFrame& frame) {
+    const FramePlan& plan = frame.plan;
+    const std::uint64_t version = plan.still.casters;
+    const bool again = version != 0 && version == seen_;
+    seen_ = version;
+    stillAlone_ = version != 0 && plan.casters.nothingMoves();
+    if (again || stillAlone_) {
+        if (!still_) still_.emplace(programs_);
+        still_->draw(plan, frame.mesh);
+    } else {
+        still_.reset();
+    }
+    if (stillAlone_) {
+        map_.reset();
+        return;
+    }
     if (!map_) map_.emplace(programs_);
-    map_->draw(frame.plan, frame.mesh, instantOf(frame.plan));
+    if (!still_) {
+        map_->draw(plan, frame.mesh, instantOf(plan));
+        return;
+    }
+    std::vector<std::uint32_t> moving = plan.casters.moving;
+    moving.insert(moving.end(), plan.casters.nearPlane.begin(), plan.casters.nearPlane.end());
+    map_->drawOnto(still_->map(), plan, frame.mesh, instantOf(plan), moving);
 }
 
 void OrdinaryMapShadow::lookup(const TechniqueFrame& frame) {
-    gl::ShaderDefines defines = viewDefines(frame.plan);
-    defines.emplace_back("PCF_RADIUS", fmt::format("{}", pcfRadius_));
-    const gl::Program& program =
-        programs_.get({"shadow map lookup", "passes/fullscreen.vert", "passes/shadow_map_lookup.frag", defines});
-    program.use();
-    glUniform1f(1, instantOf(frame.plan));
-    glUniform1f(2, bias_);
-    glUniform1f(3, slopeBias_);
-    map_->depth().bind(TECHNIQUE_UNIT);
-    if (!lookupPass_) lookupPass_.emplace();
-    lookupPass_->draw(frame, program);
+    frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
+        const bool stillAlone = stillAlone_ || (!defines.empty() && defines.front().first == "STILL_CASTERS_ALONE");
+        if (stillAlone && !still_) {  // another technique of this kind drew the frame before
+            still_.emplace(programs_);
+            still_->draw(frame.plan, frame.mesh);
+        }
+        for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
+        defines.emplace_back("PCF_RADIUS", fmt::format("{}", pcfRadius_));
+        const gl::Program& program =
+            programs_.get({"shadow map lookup", "passes/fullscreen.vert", "passes/shadow_map_lookup.frag", defines});
+        program.use();
+        glUniform1f(1, instantOf(frame.plan));
+        glUniform1f(2, bias_);
+        glUniform1f(3, slopeBias_);
+        (stillAlone ? still_->depth() : map_->depth()).bind(TECHNIQUE_UNIT);
+        return program;
+    });
 }
 
 std::vector<const gl::Texture*> OrdinaryMapShadow::textures() const {
-    if (!map_) return {};
-    return {&map_->depth()};
+    std::vector<const gl::Texture*> all;
+    if (map_) all.push_back(&map_->depth());
+    if (still_) all.push_back(&still_->depth());
+    return all;
 }
 
 } // namespace timeshade

@@ -2,12 +2,13 @@
 
 #include <optional>
 
-#include "passes/shadow_map.h"
+#include "passes/still_map.h"
 #include "techniques/technique.h"
 
 namespace timeshade {
 
-/// What `static` and `accumulation` have in common: one ordinary shadow map of an instant, and its test.
+/// What `static` and `accumulation` have in common: one ordinary shadow map of an instant, and its test. What stands still in the light's
+/// frame is kept in a map of its own, and what moves is drawn onto a copy of it.
 class OrdinaryMapShadow {
   public:
     explicit OrdinaryMapShadow(gl::ProgramCache& programs) : programs_(programs) {}
@@ -21,14 +22,16 @@ class OrdinaryMapShadow {
     void build(const TechniqueFrame& frame);
     void lookup(const TechniqueFrame& frame);
     std::vector<const gl::Texture*> textures() const;
-    std::size_t bytes() const { return map_ ? map_->bytes() : 0; }
+    std::size_t bytes() const { return (map_ ? map_->bytes() : 0) + (still_ ? still_->bytes() : 0); }
 
   private:
     gl::ProgramCache& programs_;
     float bias_ = 0.5f, slopeBias_ = 1.0f;
     int pcfRadius_ = 0;
-    std::optional<ShadowMap> map_;
-    std::optional<LookupPass> lookupPass_;
+    std::optional<ShadowMap> map_;   ///< of everything
+    std::optional<StillMap> still_;  ///< of what stands still, from the second time that it is the same
+    std::uint64_t seen_ = 0;         ///< FramePlan::still.casters of the time before
+    bool stillAlone_ = false;        ///< nothing moves: still_ is all
 };
 
 } // namespace timeshade

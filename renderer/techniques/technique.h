@@ -13,6 +13,7 @@
 #include "plan/frame_plan.h"
 #include "plan/sampling_traits.h"
 #include "settings/setting.h"
+#include "techniques/lookup_pass.h"
 
 namespace timeshade {
 
@@ -31,6 +32,9 @@ struct TechniqueFrame {
     const VisibilityBuffer& visibility;
     const Fullscreen& fullscreen;
     gl::PassTimer& timer;  ///< for steps inside build and lookup, named "build/..." and "lookup/..."
+    LookupPass& lookup;    ///< how a lookup is drawn that asks each sample for itself
+    const gl::Texture* stillIds = nullptr;  ///< samples of what stands still alone, layers as in `samples`; null where it is not known
+    std::uint64_t stillAnswers = 0;  ///< equal in two frames: still receivers and still casters give the same answers, by this technique too
 };
 
 /// A picture of what a technique works with, instead of the scene: one value a pixel, coloured by a scale.
@@ -95,17 +99,6 @@ class Technique : public HasSettings {
     virtual std::vector<const gl::Texture*> textures() const = 0;
     /// GPU memory held, in bytes.
     virtual std::size_t bytes() const = 0;
-};
-
-/// Draws `program` once per stratum over the visibility buffer; uniform location 0 is the stratum. What every lookup
-/// comes down to.
-class LookupPass {
-  public:
-    LookupPass() : target_("visibility target") {}
-    void draw(const TechniqueFrame& frame, const gl::Program& program) const;
-
-  private:
-    gl::Framebuffer target_;
 };
 
 /// Defines that lib/receiver.glsl and lib/light_map.glsl want for this plan.

@@ -27,12 +27,18 @@
 #define TECHNIQUE_UNIT 6            // the first of a technique's own textures
 #define COLOR_IMAGES_UNIT 10        // 2D array of base colour images, sRGB
 #define DATA_IMAGES_UNIT 11         // 2D array of metallic-roughness images, linear
+// Of a lookup that keeps answers from frame to frame; the first two are other passes' own in between.
+#define KEPT_IDS_UNIT 3             // R32UI array: what stands still, as sample ids
+#define KEPT_CELLS_UNIT 4           // R16UI array: where in the light's map they are
+#define REACHED_UNIT 15             // R8UI: cells of that map that something moving may shadow
 #define NEAR_TRIANGLES_UNIT 13      // buffer texture, R32UI: triangles that cross the light's near plane
 
 #define TRIANGLE_POSITION_TEXELS 5
 #define TRIANGLE_SHADING_TEXELS 6
 #define MATERIAL_TEXELS 3
 #define NO_TRIANGLE 0xffffffffu
+#define REACHED_SIDE 128   // cells along a side of the map
+#define NO_CELL 0xffffu    // where nothing can be shadowed
 
 SHARED_BEGIN
 

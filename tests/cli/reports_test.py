@@ -105,7 +105,7 @@ class Lists(ProgramTest):
         report = json.loads((self.folder / "view.json").read_text())
         self.assertEqual([f["value"] for f in report["figures"] if f["name"] == "moving triangles"], [480])
         text = self.succeed("shot", "cubes", "-o", "again.png", *arguments, "--explain")
-        self.assertIn("counted   moving triangles: 480\n", text)
+        self.assertRegex(text, r"(?m)^counted +moving triangles: 480$")
         # The values themselves, not their colours: counts per sample, the same in all channels.
         self.assertNotEqual(self.shot("cubes", "view.exr", *arguments, "--view", "candidates"), self.shot("cubes", "final.exr", *arguments))
         self.refuse(2, ("--view candidates", "tsm", "none of its own"), "shot", "cubes", "-o", "F.png", "--view", "candidates",
@@ -152,7 +152,7 @@ class Plans(ProgramTest):
             with self.subTest(technique=technique):
                 text = self.explain("chess", "--technique", technique)
                 for name in ("sample", "build", "lookup"):
-                    self.assertRegex(text, rf"(?m)^{name} +.*\w+ \w+ \w+", "a pass with its reason")
+                    self.assertRegex(text, rf"(?m)^{name}(/[\w ]+)? +.*\w+ \w+ \w+", "a pass with its reason")
                 self.assertRegex(text, r"(?m)^device +\S+")
                 self.assertRegex(text, r"(?m)^sample +\d+ of \d+ triangles: ")
 
@@ -178,7 +178,7 @@ class Manifests(ProgramTest):
             self.assertIn(context, report["gl"]["back_end"].lower())
             for key in ("vendor", "renderer", "version"):
                 self.assertGreater(len(report["gl"][key]), 0)
-            times = dict(report["milliseconds"])
+            times = {name: value for name, value in report["milliseconds"].items() if "/" not in name}
             total = times.pop("total")
             self.assertEqual(set(times), {"sample", "build", "lookup", "shade"})
             self.assertTrue(all(value > 0.0 for value in times.values()), times)

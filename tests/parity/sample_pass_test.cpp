@@ -175,7 +175,7 @@ TEST(SamplePass, SmallTrianglesOfARealScene) {
     request.frame = scene->defaults().frame;
     request.shutter = {scene->defaults().framesPerSecond, scene->defaults().shutterLength, ShutterPosition::Start};
     const FramePlan plan = FramePlanner(*scene).plan(request);
-    EXPECT_GT(plan.camera.smallTriangles.size(), 100u);
+    EXPECT_GT(plan.camera.still.small.size() + plan.camera.moving.small.size(), 100u);
     expectTrue(compare(plan), 0.2);
 }
 

@@ -65,6 +65,29 @@ void drawNextFrame(FrameRenderer& renderer, FramePlanner& planner, const std::st
     for (; request.frame < 2.0; request.frame += 1.0) renderer.draw(planner.plan(request), *technique, View::Final);
 }
 
+/// A moment that is drawn again, with something that stands still: what a lookup keeps, and what it asks anew.
+void drawKept() {
+    FrameRenderer& renderer = sharedRenderer();
+    for (const bool directional : {false, true}) {
+        ProceduralScene scene;
+        scene.quads = {slidingQuad({0, 0, 0}, {0, 0, 0}, 4, -4, 4), slidingQuad({0, 0, 2}, {0.3, 0, 2}, 0.5, -0.5, 0.5)};
+        scene.lightOpen.kind = directional ? LightKind::Directional : LightKind::Spot;
+        scene.lightOpen.position = {0, 0, 10};
+        scene.lightClose = scene.lightOpen;
+        scene.cameraOpen = scene.cameraClose = lookAt({2, -9, 7}, {0, 0, 0}, {0, 0, 1}, 0.7, 0.01);
+        scene.finish();
+        FramePlanner planner(scene);
+        const FramePlan plan = planner.plan(ProceduralScene::request(16, 12, 2, 16, 1));
+        ASSERT_NE(plan.still.lit, 0u);
+        for (const TechniqueDescription& description : techniqueDescriptions()) {
+            const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
+            forEveryCombination(*technique, [&] {
+                for (int again = 0; again < 3; ++again) renderer.draw(plan, *technique, View::Visibility);
+            });
+        }
+    }
+}
+
 /// Draws whatever makes a difference to a shader, on the shared renderer.
 void drawEverything() {
     FrameRenderer& renderer = sharedRenderer();
@@ -171,8 +194,7 @@ TEST(ShaderVariants, TheValidatorIsThereAndRefuses) {
     EXPECT_FALSE(workplace.validate({{"vert", other}, {"frag", orphan}}).good);
 }
 
-TEST(ShaderVariants, EveryProgramOfEveryFrameIsValid) {
-    drawEverything();
+void everyProgramOfEveryFrameIsValid() {
     const Workplace workplace;
     std::set<std::string> checked;
     for (const gl::ProgramDescription& program : gl::programsBuilt()) {
@@ -186,8 +208,7 @@ TEST(ShaderVariants, EveryProgramOfEveryFrameIsValid) {
     EXPECT_GE(checked.size(), 40u);
 }
 
-TEST(ShaderVariants, TheFramesDrawnHadEveryVariant) {
-    drawEverything();
+void theFramesDrawnHadEveryVariant() {
     const std::map<std::string, std::set<std::string>> variants = variantsByFile();
     const auto has = [&](const std::string& file, const std::string& defines) {
         const auto found = variants.find(file);
@@ -207,7 +228,9 @@ TEST(ShaderVariants, TheFramesDrawnHadEveryVariant) {
         for (const std::string orthographic : {"", "LIGHT_ORTHOGRAPHIC=1"}) {
             for (const std::string radius : {"0", "1", "2", "3"})
                 has("passes/shadow_map_lookup.frag", joined({turns, orthographic, "PCF_RADIUS=" + radius}));
-            for (const std::string bias : {"", "DYNAMIC_BIAS=1"}) has("techniques/tsm/lookup.frag", joined({turns, orthographic, bias}));
+            if (turns.empty())
+                has("techniques/exact/lookup.frag", joined({orthographic, "KEEP_STILL=1", "STILL_CASTERS_ALONE=1", "MOVING_TRIANGLES=1", "STILL_TRIANGLES=1"}));
+            for (const std::string bias : {"", "DYNAMIC_BIAS=1"}) has("techniques/tsm/lookup.frag", joined({turns, orthographic, bias, "MOVING_CASTERS=1"}));
         }
         for (const std::string view : {"", "VIEW_VISIBILITY=1"}) has("passes/shade.frag", joined({turns, view}));
     }
@@ -219,8 +242,7 @@ TEST(ShaderVariants, TheFramesDrawnHadEveryVariant) {
     for (const std::string orthographic : {"", "LIGHT_ORTHOGRAPHIC=1"}) has("passes/shadow_map.vert", orthographic);
 }
 
-TEST(ShaderVariants, NoShaderFileIsLeftOut) {
-    drawEverything();
+void noShaderFileIsLeftOut() {
     std::set<std::string> used;
     for (const gl::ProgramDescription& program : gl::programsBuilt())
         for (const std::string& path : program.stages())
@@ -232,6 +254,15 @@ TEST(ShaderVariants, NoShaderFileIsLeftOut) {
         if (path.rfind("shared/", 0) == 0) continue;
         EXPECT_TRUE(used.count(path)) << "shaders/" << path << " is in no program that a frame is drawn with";
     }
+}
+
+/// One test, since drawing it all is what takes long.
+TEST(ShaderVariants, AreValidCompleteAndLeaveNoFileOut) {
+    drawEverything();
+    drawKept();
+    everyProgramOfEveryFrameIsValid();
+    theFramesDrawnHadEveryVariant();
+    noShaderFileIsLeftOut();
 }
 
 } // namespace

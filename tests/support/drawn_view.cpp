@@ -18,7 +18,8 @@ std::vector<float> drawnView(const FramePlan& plan, Technique& technique, const 
     uniforms.set(plan);
     mesh.bind();
     samplePass.draw(plan, mesh, samples);
-    const TechniqueFrame frame{plan, mesh, samples, visibility, fullscreen, timer};
+    LookupPass lookup(sharedRenderer().programs());
+    const TechniqueFrame frame{plan, mesh, samples, visibility, fullscreen, timer, lookup};
     technique.build(frame);
     technique.lookup(frame);
     const gl::Texture values = gl::Texture::image2D("view values", GL_R32F, width, height);

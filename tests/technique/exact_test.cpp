@@ -59,12 +59,11 @@ TEST(CandidateGrid, GrowsCoarserUntilItsListsFit) {
     const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(96, 72, 4, 256, 4));
     const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
     sharedRenderer().draw(plan, *exact, View::Visibility);  // leaves the frame's uniforms and the mesh bound
-    const LightMotion motion = classifyForLight(plan);
     CandidateGrid grid(sharedRenderer().programs());
-    grid.build(plan, motion, {256, 4, 0.0, 0.0});
+    grid.build(plan, plan.casters.moving, {256, 4, 0.0, 0.0});
     EXPECT_FALSE(grid.coarsened());
     const std::size_t entries = grid.entries();
-    grid.build(plan, motion, {256, 4, 0.0, 0.0}, entries / 3);
+    grid.build(plan, plan.casters.moving, {256, 4, 0.0, 0.0}, entries / 3);
     EXPECT_TRUE(grid.coarsened());
     EXPECT_LT(grid.side(), 256);
     EXPECT_LE(grid.entries(), entries / 3);

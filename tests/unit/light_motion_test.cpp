@@ -1,7 +1,7 @@
 // Which triangles move in the light's own frame: what every technique that keeps time for moving ones alone relies on.
 #include <gtest/gtest.h>
 
-#include "plan/light_motion.h"
+#include "plan/frame_plan.h"
 #include "cases/procedural_scene.h"
 
 namespace timeshade {
@@ -22,7 +22,7 @@ class LightMotionTest : public testing::Test {
 
     LightMotion classify() {
         scene_.finish();
-        return classifyForLight(FramePlanner(scene_).plan(ProceduralScene::request(16, 16, 2, 64, 1)));
+        return FramePlanner(scene_).plan(ProceduralScene::request(16, 16, 2, 64, 1)).casters;
     }
 
     ProceduralScene scene_;

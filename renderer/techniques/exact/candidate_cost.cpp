@@ -64,29 +64,25 @@ double boundsArea(const std::vector<Extent>& extents, double side, double bucket
 
 } // namespace
 
-CandidateGridSize chooseCandidateGrid(const FramePlan& plan, const LightMotion& motion, int side, int buckets) {
-    std::vector<std::uint32_t> movers = motion.moving;
-    movers.insert(movers.end(), motion.nearPlane.begin(), motion.nearPlane.end());
-    double eachMoving = 0.0, eachStill = 0.0;
-    const std::vector<Extent> moving = pick(plan, movers, eachMoving), still = pick(plan, motion.still, eachStill);
+CandidateGridSize chooseCandidateGrid(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool move, int side, int buckets) {
+    double each = 0.0;
+    const std::vector<Extent> extents = pick(plan, casters, each);
     const double samples = static_cast<double>(plan.block.imageSize.x) * plan.block.imageSize.y * plan.block.strata;
+    const int fewest = buckets > 0 && move ? buckets : 1, most = !move || casters.empty() ? 1 : buckets > 0 ? buckets : mostBuckets;
 
     CandidateGridSize best;
     double lowest = 1e300;
     const int highestSide = std::min(plan.request.mapSize, 1024);
     for (int s = side > 0 ? side : 16; s <= (side > 0 ? side : highestSide); s *= 2) {
-        for (int b = buckets > 0 ? buckets : 1; b <= (buckets > 0 ? buckets : mostBuckets); b *= 2) {
-            if (buckets <= 0 && b > 1 && moving.empty()) break;
+        for (int b = fewest; b <= std::max(fewest, most); b *= 2) {
             const double cells = static_cast<double>(s) * s;
-            const double movingEntries = b * eachMoving * entriesOf(moving, s, b), stillEntries = eachStill * entriesOf(still, s, 1.0);
-            const double looked = movingEntries / (cells * b) + stillEntries / cells;
-            const double tested = eachMoving * boundsArea(moving, s, b) + eachStill * boundsArea(still, s, 1.0);
-            const double cost = entryPrice * (movingEntries + stillEntries) +
-                                itemPrice * (b * static_cast<double>(movers.size()) + static_cast<double>(motion.still.size())) +
-                                crowding * samples * (boundsPrice * looked + testPrice * tested) + cellPrice * cells * (b + 1);
+            const double entries = b * each * entriesOf(extents, s, b);
+            const double looked = entries / (cells * b), tested = each * boundsArea(extents, s, b);
+            const double cost = entryPrice * entries + itemPrice * b * static_cast<double>(casters.size()) +
+                                crowding * samples * (boundsPrice * looked + testPrice * tested) + cellPrice * cells * b;
             if (cost >= lowest) continue;
             lowest = cost;
-            best = {s, b, movingEntries + stillEntries, crowding * tested};
+            best = {s, b, entries, crowding * tested};
         }
     }
     return best;

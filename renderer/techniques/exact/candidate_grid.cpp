@@ -35,19 +35,21 @@ std::size_t mostCells() {
 CandidateGrid::CandidateGrid(gl::ProgramCache& programs)
     : programs_(programs), lists_(programs), casters_("shadow casters", GL_R32UI), candidates_("shadow candidates", GL_RG32UI) {}
 
-void CandidateGrid::build(const FramePlan& plan, const LightMotion& motion, const CandidateGridSize& wanted, std::size_t mostEntries) {
+void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t>& casters, const CandidateGridSize& wanted,
+                          std::size_t mostEntries) {
     mostEntries = std::min(mostEntries, deviceLimit());
-    uploadCasters(motion);
+    casters_.reserve(std::max<std::size_t>(casters.size(), 1), "draw fewer triangles");
+    glNamedBufferSubData(casters_.buffer().name(), 0, static_cast<GLsizeiptr>(casters.size() * sizeof(std::uint32_t)), casters.data());
     buckets_ = wanted.buckets;
     coarsened_ = false;
     for (side_ = wanted.side;; side_ /= 2) {
-        const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(buckets_ + 1);
+        const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(buckets_);
         if (cells > mostCells() && side_ > 1) {
             coarsened_ = true;
             continue;
         }
         lists_.beginCount(cells);
-        insert(plan, motion, false);
+        insert(plan, casters.size(), false);
         entries_ = lists_.scan();
         if (entries_ <= mostEntries || side_ <= 1) break;
         coarsened_ = true;
@@ -55,35 +57,20 @@ void CandidateGrid::build(const FramePlan& plan, const LightMotion& motion, cons
     candidates_.reserve(entries_, "lower exact.buckets, or draw fewer triangles");
     lists_.bindCursors();
     candidates_.bindForWriting(TECHNIQUE_STORAGE_BINDING);
-    insert(plan, motion, true);
+    insert(plan, casters.size(), true);
     CellLists::finishFill();
 }
 
-void CandidateGrid::uploadCasters(const LightMotion& motion) {
-    std::vector<std::uint32_t> all = motion.moving;
-    all.insert(all.end(), motion.nearPlane.begin(), motion.nearPlane.end());
-    all.insert(all.end(), motion.still.begin(), motion.still.end());
-    casters_.reserve(std::max<std::size_t>(all.size(), 1), "draw fewer triangles");
-    glNamedBufferSubData(casters_.buffer().name(), 0, static_cast<GLsizeiptr>(all.size() * sizeof(std::uint32_t)), all.data());
-}
-
-void CandidateGrid::insert(const FramePlan& plan, const LightMotion& motion, bool fill) {
-    const std::size_t moving = motion.moving.size() + motion.nearPlane.size();
-    insertSome(plan, 0, moving, false, fill);
-    insertSome(plan, moving, motion.still.size(), true, fill);
-}
-
-void CandidateGrid::insertSome(const FramePlan& plan, std::size_t first, std::size_t count, bool still, bool fill) {
-    if (count == 0) return;
-    const std::size_t items = still ? count : count * static_cast<std::size_t>(buckets_);
-    std::optional<gl::Buffer>& queue = still ? stillQueue_ : movingQueue_;
+void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill) {
+    if (casters == 0) return;
+    const std::size_t items = casters * static_cast<std::size_t>(buckets_);
     const std::size_t queueBytes = (items + 1) * sizeof(GLuint);
-    if (!queue || queue->bytes() < queueBytes) queue.emplace("casters of many cells", queueBytes);
+    if (!queue_ || queue_->bytes() < queueBytes) queue_.emplace("casters of many cells", queueBytes);
     if (!fill) {
         const std::array<GLuint, 1> nothing{0};
-        queue->upload(std::span<const GLuint>(nothing));
+        queue_->upload(std::span<const GLuint>(nothing));
     }
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TECHNIQUE_STORAGE_BINDING + 1, queue->name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TECHNIQUE_STORAGE_BINDING + 1, queue_->name());
     casters_.bindForReading(LARGE_TRIANGLES_UNIT);
 
     gl::ShaderDefines defines;
@@ -97,8 +84,6 @@ void CandidateGrid::insertSome(const FramePlan& plan, std::size_t first, std::si
         program.use();
         glUniform1ui(0, static_cast<GLuint>(side_));
         glUniform1ui(1, static_cast<GLuint>(buckets_));
-        glUniform1ui(2, static_cast<GLuint>(first));
-        glUniform1ui(4, still ? 1 : 0);
         if (large) {
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
             glDispatchCompute(largeGroups, 1, 1);
@@ -117,8 +102,7 @@ void CandidateGrid::bindForLookup(GLuint unit) const {
 }
 
 std::size_t CandidateGrid::bytes() const {
-    return lists_.bytes() + casters_.bytes() + candidates_.bytes() + (movingQueue_ ? movingQueue_->bytes() : 0) +
-           (stillQueue_ ? stillQueue_->bytes() : 0);
+    return lists_.bytes() + casters_.bytes() + candidates_.bytes() + (queue_ ? queue_->bytes() : 0);
 }
 
 } // namespace timeshade

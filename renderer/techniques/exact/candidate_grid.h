@@ -1,19 +1,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "gl/growing_buffer.h"
 #include "gl/program_cache.h"
 #include "passes/cell_lists.h"
 #include "plan/frame_plan.h"
-#include "plan/light_motion.h"
 #include "techniques/exact/candidate_cost.h"
 
 namespace timeshade {
 
-/// Lists of triangles that might shadow a receiver: one list per cell of the light's map and bucket of the shutter for those that move
-/// in the light's frame, and one per cell for those that stand still there. Conservative: a triangle that covers any point of the
+/// Lists of triangles that might shadow a receiver: one list per cell of the light's map and bucket of the shutter. Conservative: a triangle that covers any point of the
 /// cell at any time of the bucket is in that list, with what the projection may have rounded. An entry is the triangle's number and
 /// a depth that it is never nearer than.
 class CandidateGrid {
@@ -22,7 +22,8 @@ class CandidateGrid {
 
     /// The frame's uniforms and the mesh must be bound. Where the lists would be larger than a storage block of this device takes, the grid's
     /// side is halved until they fit: slower to look up, and the same picture. `mostEntries` may lower that limit further.
-    void build(const FramePlan& plan, const LightMotion& motion, const CandidateGridSize& wanted, std::size_t mostEntries = ~std::size_t{0});
+    void build(const FramePlan& plan, const std::vector<std::uint32_t>& casters, const CandidateGridSize& wanted,
+               std::size_t mostEntries = ~std::size_t{0});
     /// Offsets to `unit`, entries to `unit` + 1.
     void bindForLookup(GLuint unit) const;
 
@@ -33,14 +34,12 @@ class CandidateGrid {
     std::size_t bytes() const;
 
   private:
-    void insert(const FramePlan& plan, const LightMotion& motion, bool fill);
-    void insertSome(const FramePlan& plan, std::size_t first, std::size_t count, bool still, bool fill);
-    void uploadCasters(const LightMotion& motion);
+    void insert(const FramePlan& plan, std::size_t casters, bool fill);
 
     gl::ProgramCache& programs_;
     CellLists lists_;
     gl::GrowingBuffer casters_, candidates_;
-    std::optional<gl::Buffer> movingQueue_, stillQueue_;
+    std::optional<gl::Buffer> queue_;
     int side_ = 0, buckets_ = 0;
     std::size_t entries_ = 0;
     bool coarsened_ = false;

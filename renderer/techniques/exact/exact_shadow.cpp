@@ -24,45 +24,82 @@ void ExactShadow::visitSettings(SettingsVisitor& visitor) {
                   "memory, never the picture.");
 }
 
+namespace {
+
+std::vector<std::uint32_t> movingCasters(const FramePlan& plan) {
+    std::vector<std::uint32_t> all = plan.casters.moving;
+    all.insert(all.end(), plan.casters.nearPlane.begin(), plan.casters.nearPlane.end());
+    return all;
+}
+
+} // namespace
+
+CandidateGridSize ExactShadow::wantedFor(const FramePlan& plan, bool moving) const {
+    return chooseCandidateGrid(plan, moving ? movingCasters(plan) : plan.casters.still, moving, side_, buckets_);
+}
+
 std::vector<PassDecision> ExactShadow::passes(const FramePlan& plan) const {
-    const LightMotion motion = classifyForLight(plan);
-    const CandidateGridSize size = chooseCandidateGrid(plan, motion, side_, buckets_);
-    const std::size_t moving = motion.moving.size() + motion.nearPlane.size();
-    return {{"build",
-             fmt::format("lists of {} x {} cells{}: {} triangles move in the light's view and are listed in {} buckets of time, {} stand still "
-                         "and are listed once; about {:.3g} entries, {:.2g} candidates a sample expected",
-                         size.side, size.side, side_ > 0 ? "" : " (chosen)", moving, size.buckets, motion.still.size(), size.expectedEntries,
-                         size.expectedCandidates),
-             moving + motion.still.size()},
-            {"lookup", "each camera sample against the triangles of its own cell and bucket, at its own time and place", 0}};
+    std::vector<PassDecision> passes;
+    const auto add = [&](const char* name, const char* which, const CandidateGridSize& size, std::size_t triangles) {
+        passes.push_back({name,
+                          fmt::format("lists of {} x {} cells{} and {} bucket{} of time, for what {} in the light's frame; about {:.3g} entries, "
+                                      "{:.2g} candidates a sample expected",
+                                      size.side, size.side, side_ > 0 ? "" : " (chosen)", size.buckets, size.buckets == 1 ? "" : "s", which,
+                                      size.expectedEntries, size.expectedCandidates),
+                          triangles});
+    };
+    if (!plan.casters.still.empty()) add("build/still", "stands still", wantedFor(plan, false), plan.casters.still.size());
+    if (!plan.casters.nothingMoves()) add("build/moving", "moves", wantedFor(plan, true), plan.casters.moving.size() + plan.casters.nearPlane.size());
+    passes.push_back({"lookup", "each camera sample against the triangles of its own cell and bucket, at its own time and place", 0});
+    return passes;
 }
 
 void ExactShadow::build(const TechniqueFrame& frame) {
-    {
-        const auto timed = frame.timer.scope("build/plan");
-        motion_ = classifyForLight(frame.plan);
-        wanted_ = chooseCandidateGrid(frame.plan, motion_, side_, buckets_);
+    const FramePlan& plan = frame.plan;
+    const std::vector<std::uint32_t> movers = movingCasters(plan);
+    movingCasters_ = movers.size();
+    stillCasters_ = plan.casters.still.size();
+    const bool kept = still_ && plan.still.casters != 0 && plan.still.casters == stillVersion_ && side_ == stillSide_;
+    if (stillCasters_ == 0) {
+        still_.reset();
+    } else if (!kept) {
+        const auto timed = frame.timer.scope("build/still");
+        wantedStill_ = wantedFor(plan, false);
+        if (!still_) still_.emplace(programs_);
+        still_->build(plan, plan.casters.still, wantedStill_);
     }
-    const auto timed = frame.timer.scope("build/lists");
-    if (!grid_) grid_.emplace(programs_);
-    grid_->build(frame.plan, motion_, wanted_);
+    stillVersion_ = plan.still.casters;
+    stillSide_ = side_;
+    if (movers.empty()) {
+        moving_.reset();
+        return;
+    }
+    const auto timed = frame.timer.scope("build/moving");
+    wantedMoving_ = wantedFor(plan, true);
+    if (!moving_) moving_.emplace(programs_);
+    moving_->build(plan, movers, wantedMoving_);
 }
 
-const gl::Program& ExactShadow::lookupProgram(const TechniqueFrame& frame, bool viewCandidates) {
-    gl::ShaderDefines defines = viewDefines(frame.plan);
-    if (viewCandidates) defines.emplace_back("VIEW_CANDIDATES", "1");
+const gl::Program& ExactShadow::lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines) {
+    for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
+    if (moving_) defines.emplace_back("MOVING_TRIANGLES", "1");
+    if (still_) defines.emplace_back("STILL_TRIANGLES", "1");
     const gl::Program& program = programs_.get({"exact lookup", "passes/fullscreen.vert", "techniques/exact/lookup.frag", defines});
     program.use();
-    glUniform1ui(1, static_cast<GLuint>(grid_->side()));
-    glUniform1ui(2, static_cast<GLuint>(grid_->buckets()));
-    grid_->bindForLookup(TECHNIQUE_UNIT);
+    if (moving_) {
+        glUniform1ui(1, static_cast<GLuint>(moving_->side()));
+        glUniform1ui(2, static_cast<GLuint>(moving_->buckets()));
+        moving_->bindForLookup(TECHNIQUE_UNIT);
+    }
+    if (still_) {
+        glUniform1ui(3, static_cast<GLuint>(still_->side()));
+        still_->bindForLookup(TECHNIQUE_UNIT + 2);
+    }
     return program;
 }
 
 void ExactShadow::lookup(const TechniqueFrame& frame) {
-    const gl::Program& program = lookupProgram(frame, false);
-    if (!lookupPass_) lookupPass_.emplace();
-    lookupPass_->draw(frame, program);
+    frame.lookup.draw(frame, [&](const gl::ShaderDefines& purpose) -> const gl::Program& { return lookupProgram(frame, purpose); });
 }
 
 std::vector<TechniqueView> ExactShadow::views() const {
@@ -71,8 +108,8 @@ std::vector<TechniqueView> ExactShadow::views() const {
 
 void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
     if (name != "candidates") return Technique::drawView(frame, name, values);
-    const gl::Program& program = lookupProgram(frame, true);
-    glUniform1f(3, 1.0f / static_cast<float>(frame.plan.block.strata));
+    const gl::Program& program = lookupProgram(frame, {{"VIEW_CANDIDATES", "1"}});
+    glUniform1f(4, 1.0f / static_cast<float>(frame.plan.block.strata));
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     if (!viewTarget_) viewTarget_.emplace("candidates view target");
     viewTarget_->setColorCount(1);
@@ -90,17 +127,23 @@ void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name,
 }
 
 std::vector<TechniqueFigure> ExactShadow::figures() const {
-    if (!grid_) return {};
-    const auto moving = static_cast<double>(motion_.moving.size() + motion_.nearPlane.size());
-    const auto entries = static_cast<double>(grid_->entries());
-    return {{"moving triangles", moving, "", ""},
-            {"still triangles", static_cast<double>(motion_.still.size()), "", ""},
-            {"grid side", static_cast<double>(grid_->side()), "cells",
-             grid_->coarsened() ? "the lists outgrew this device's storage blocks; the grid was made coarser, which costs time and no accuracy" : ""},
-            {"buckets", static_cast<double>(grid_->buckets()), "", ""},
-            {"entries", entries, "", ""},
-            {"entries expected", wanted_.expectedEntries, "", ""},
-            {"entries per triangle", entries / std::max(1.0, moving + static_cast<double>(motion_.still.size())), "", ""}};
+    std::vector<TechniqueFigure> figures{{"moving triangles", static_cast<double>(movingCasters_), "", ""},
+                                         {"still triangles", static_cast<double>(stillCasters_), "", ""}};
+    const auto add = [&](const std::string& which, const CandidateGrid& grid, const CandidateGridSize& wanted, std::size_t casters) {
+        const auto entries = static_cast<double>(grid.entries());
+        figures.push_back({which + "grid side", static_cast<double>(grid.side()), "cells",
+                           grid.coarsened() ? "the lists outgrew this device's storage blocks; the grid was made coarser, which costs time and no accuracy"
+                                            : ""});
+        figures.push_back({which + "entries", entries, "", ""});
+        figures.push_back({which + "entries expected", wanted.expectedEntries, "", ""});
+        figures.push_back({which + "entries per triangle", entries / static_cast<double>(casters), "", ""});
+    };
+    if (moving_) {
+        figures.push_back({"buckets", static_cast<double>(moving_->buckets()), "", ""});
+        add("", *moving_, wantedMoving_, movingCasters_);
+    }
+    if (still_) add("still ", *still_, wantedStill_, stillCasters_);
+    return figures;
 }
 
 } // namespace timeshade

@@ -27,17 +27,19 @@ class ExactShadow final : public Technique {
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
     std::vector<TechniqueFigure> figures() const override;
     std::vector<const gl::Texture*> textures() const override { return {}; }
-    std::size_t bytes() const override { return grid_ ? grid_->bytes() : 0; }
+    std::size_t bytes() const override { return (moving_ ? moving_->bytes() : 0) + (still_ ? still_->bytes() : 0); }
 
   private:
-    const gl::Program& lookupProgram(const TechniqueFrame& frame, bool viewCandidates);
+    const gl::Program& lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines);
+    CandidateGridSize wantedFor(const FramePlan& plan, bool moving) const;
 
     gl::ProgramCache& programs_;
     int side_ = 0, buckets_ = 0;
-    LightMotion motion_;
-    CandidateGridSize wanted_;
-    std::optional<CandidateGrid> grid_;
-    std::optional<LookupPass> lookupPass_;
+    CandidateGridSize wantedMoving_, wantedStill_;
+    std::optional<CandidateGrid> moving_, still_;  ///< none where nothing moves, or stands still, in the light's frame
+    std::uint64_t stillVersion_ = 0;
+    int stillSide_ = 0;
+    std::size_t movingCasters_ = 0, stillCasters_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;
 };
 

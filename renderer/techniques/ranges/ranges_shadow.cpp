@@ -38,9 +38,10 @@ SamplingTraits RangesShadow::samplingTraits() const {
 }
 
 std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
-    const LightMotion motion = classifyForLight(plan);
+    const LightMotion& motion = plan.casters;
     std::vector<PassDecision> passes;
-    if (!motion.still.empty()) passes.push_back({"build/still map", "an ordinary map of what stands still in the light's frame", motion.still.size()});
+    if (!motion.still.empty())
+        passes.push_back({"build/still map", "an ordinary map of what stands still in the light's frame, kept until something of it changes", motion.still.size()});
     std::string reason = motion.moving.empty() ? "nothing moves in the light's frame: no prisms" : "a prism for each triangle that moves in the light's frame";
     if (motion.bending > 0)
         reason += fmt::format("; {} of them turn or deform, so their sides are not flat and their times are off by some thousandths of the shutter",
@@ -55,35 +56,46 @@ std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
     return passes;
 }
 
+LightMotion RangesShadow::listed(const FramePlan& plan) const {
+    LightMotion motion = plan.casters;
+    if (!asPublished_) return motion;
+    // The paper knows no near plane: such prisms are clipped and stay open.
+    const auto middle = static_cast<std::ptrdiff_t>(motion.moving.size());
+    motion.moving.insert(motion.moving.end(), motion.nearPlane.begin(), motion.nearPlane.end());
+    std::inplace_merge(motion.moving.begin(), motion.moving.begin() + middle, motion.moving.end());
+    motion.nearPlane.clear();
+    return motion;
+}
+
 void RangesShadow::build(const TechniqueFrame& frame) {
-    LightMotion motion = classifyForLight(frame.plan);
-    if (asPublished_) {
-        // The paper knows no near plane: such prisms are clipped and stay open.
-        const auto middle = static_cast<std::ptrdiff_t>(motion.moving.size());
-        motion.moving.insert(motion.moving.end(), motion.nearPlane.begin(), motion.nearPlane.end());
-        std::inplace_merge(motion.moving.begin(), motion.moving.begin() + middle, motion.moving.end());
-        motion.nearPlane.clear();
-    }
-    still_ = motion.still.size();
+    const LightMotion motion = listed(frame.plan);
+    stillCasters_ = motion.still.size();
     moving_ = motion.moving.size();
     near_ = motion.nearPlane.size();
     bending_ = motion.bending;
     {
         const auto timed = frame.timer.scope("build/still map");
         if (!stillMap_) stillMap_.emplace(programs_);
-        stillMap_->draw(frame.plan, frame.mesh, motion.still);
+        stillMap_->draw(frame.plan, frame.mesh);
     }
-    if (!nearTriangles_) nearTriangles_.emplace("near-plane triangles", GL_R32UI);
-    nearTriangles_->reserve(std::max<std::size_t>(near_, 1), "fewer triangles must cross the light's near plane");
-    if (near_ > 0)
+    if (near_ == 0) {
+        nearTriangles_.reset();
+    } else {
+        if (!nearTriangles_) nearTriangles_.emplace("near-plane triangles", GL_R32UI);
+        nearTriangles_->reserve(near_, "fewer triangles must cross the light's near plane");
         glNamedBufferSubData(nearTriangles_->buffer().name(), 0, static_cast<GLsizeiptr>(near_ * sizeof(std::uint32_t)), motion.nearPlane.data());
-    if (!lists_ || builtAsPublished_ != asPublished_) {
-        lists_.reset();  // first, so that both need not fit at once
+    }
+    if (builtAsPublished_ != asPublished_ || moving_ == 0) lists_.reset();  // first, so that both forms need not fit at once
+    builtAsPublished_ = asPublished_;
+    if (moving_ > 0) buildLists(frame, motion);
+}
+
+void RangesShadow::buildLists(const TechniqueFrame& frame, const LightMotion& motion) {
+    if (!lists_) {
         if (asPublished_)
             lists_ = std::make_unique<LinkedRanges>(programs_);
         else
             lists_ = std::make_unique<ContiguousRanges>(programs_);
-        builtAsPublished_ = asPublished_;
     }
     lists_->build(frame, motion);
 }
@@ -95,19 +107,23 @@ gl::ShaderDefines RangesShadow::lookupDefines(const FramePlan& plan) const {
 }
 
 void RangesShadow::lookup(const TechniqueFrame& frame) {
-    gl::ShaderDefines defines = lookupDefines(frame.plan);
-    if (still_ > 0) defines.emplace_back("STILL_TRIANGLES", "1");
-    if (near_ > 0) defines.emplace_back("NEAR_TRIANGLES", "1");
-    const gl::Program& program = programs_.get({"ranges lookup", "passes/fullscreen.vert", "techniques/ranges/lookup.frag", defines});
-    program.use();
-    glUniform1f(2, bias_);
-    glUniform1f(3, slopeBias_);
-    if (near_ > 0) glUniform1i(4, static_cast<GLint>(near_));
-    stillMap_->depth().bind(RANGES_STILL_UNIT);
-    nearTriangles_->bindForReading(RANGES_NEAR_UNIT);
-    lists_->bind();
-    if (!lookupPass_) lookupPass_.emplace();
-    lookupPass_->draw(frame, program);
+    frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
+        for (const auto& define : lookupDefines(frame.plan)) defines.push_back(define);
+        if (stillCasters_ > 0) defines.emplace_back("STILL_TRIANGLES", "1");
+        if (lists_) defines.emplace_back("MOVING_TRIANGLES", "1");
+        if (near_ > 0) defines.emplace_back("NEAR_TRIANGLES", "1");
+        const gl::Program& program = programs_.get({"ranges lookup", "passes/fullscreen.vert", "techniques/ranges/lookup.frag", defines});
+        program.use();
+        glUniform1f(2, bias_);
+        glUniform1f(3, slopeBias_);
+        if (near_ > 0) {
+            glUniform1i(4, static_cast<GLint>(near_));
+            nearTriangles_->bindForReading(NEAR_TRIANGLES_UNIT);
+        }
+        stillMap_->depth().bind(RANGES_STILL_UNIT);
+        if (lists_) lists_->bind();
+        return program;
+    });
 }
 
 std::vector<TechniqueView> RangesShadow::views() const {
@@ -116,6 +132,7 @@ std::vector<TechniqueView> RangesShadow::views() const {
 
 void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
     if (name != "ranges" && name != "time") return Technique::drawView(frame, name, values);
+    if (!lists_) buildLists(frame, listed(frame.plan));  // empty ones, to be looked at
     gl::ShaderDefines defines = lookupDefines(frame.plan);
     if (name == "time") defines.emplace_back("VIEW_TIME", "1");
     const gl::Program& program = programs_.get({"ranges view", "passes/fullscreen.vert", "techniques/ranges/view.frag", defines});
@@ -129,13 +146,13 @@ void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name
 }
 
 std::vector<TechniqueFigure> RangesShadow::figures() const {
-    if (!lists_) return {};
-    const RangeCounts counts = lists_->counts();
+    if (!stillMap_) return {};
+    const RangeCounts counts = lists_ ? lists_->counts() : RangeCounts{};
     const auto number = [](std::size_t n) { return static_cast<double>(n); };
     std::vector<TechniqueFigure> figures{
         {"moving triangles", number(moving_), "", ""},
         {"bending triangles", number(bending_), "", bending_ > 0 ? "the sides of their prisms are not flat: times are off by some thousandths" : ""},
-        {"still triangles", number(still_), "", ""},
+        {"still triangles", number(stillCasters_), "", ""},
         {"near-plane triangles", number(near_), "", ""},
         {"fragments", number(counts.fragments), "", ""},
         {"ranges", number(counts.ranges), "", ""},

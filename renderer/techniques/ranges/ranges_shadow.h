@@ -39,6 +39,9 @@ class RangesShadow final : public Technique {
     std::size_t bytes() const override;
 
   private:
+    /// The plan's casters, by the form's own way of listing them.
+    LightMotion listed(const FramePlan& plan) const;
+    void buildLists(const TechniqueFrame& frame, const LightMotion& motion);
     gl::ShaderDefines lookupDefines(const FramePlan& plan) const;
     std::size_t predictedBytes(const RangeCounts& counts) const;
 
@@ -47,11 +50,10 @@ class RangesShadow final : public Technique {
     bool asPublished_ = false;
 
     bool builtAsPublished_ = false;
-    std::unique_ptr<RangeLists> lists_;
+    std::unique_ptr<RangeLists> lists_;  ///< none where nothing moves
     std::optional<StillMap> stillMap_;
     std::optional<gl::GrowingBuffer> nearTriangles_;
-    std::size_t still_ = 0, moving_ = 0, near_ = 0, bending_ = 0;
-    std::optional<LookupPass> lookupPass_;
+    std::size_t stillCasters_ = 0, moving_ = 0, near_ = 0, bending_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;
 };
 

@@ -43,9 +43,10 @@ SamplingTraits TemporalShadow::samplingTraits() const {
 }
 
 std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
-    const LightMotion motion = classifyForLight(plan);
+    const LightMotion& motion = plan.casters;
     std::vector<PassDecision> passes;
-    if (!motion.still.empty()) passes.push_back({"still map", "an ordinary map of what stands still in the light's frame", motion.still.size()});
+    if (!motion.still.empty())
+        passes.push_back({"build/still map", "an ordinary map of what stands still in the light's frame, kept until something of it changes", motion.still.size()});
     if (coverageMap_) passes.push_back({"coverage", "texels that one triangle covers all through the shutter", motion.moving.size()});
     std::string reason = motion.moving.empty() ? "nothing moves in the light's frame: no tuples" : "when each triangle that moves in the light's frame is where";
     if (motion.bending > 0)
@@ -62,36 +63,50 @@ std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
 }
 
 void TemporalShadow::build(const TechniqueFrame& frame) {
-    LightMotion motion = classifyForLight(frame.plan);
-    still_ = motion.still.size();
+    const LightMotion& motion = frame.plan.casters;
+    stillCasters_ = motion.still.size();
     moving_ = motion.moving.size();
     near_ = motion.nearPlane.size();
     bending_ = motion.bending;
+    const bool otherForm = builtAsPublished_ != asPublished_;
+    builtAsPublished_ = asPublished_;
     {
         const auto timed = frame.timer.scope("build/still map");
-        if (!stillMap_) stillMap_.emplace(programs_);
-        stillMap_->draw(frame.plan, frame.mesh, motion.still);
+        // The published form draws what moves by a rasteriser's rules, the repaired one by texels' middles.
+        if (!stillMap_ || otherForm) stillMap_.emplace(programs_, asPublished_ ? StillMap::Coverage::Rasterized : StillMap::Coverage::Exact);
+        stillMap_->draw(frame.plan, frame.mesh);
     }
-    if (!nearTriangles_) nearTriangles_.emplace("near-plane triangles", GL_R32UI);
-    nearTriangles_->reserve(std::max<std::size_t>(near_, 1), "fewer triangles must cross the light's near plane");
-    if (near_ > 0)
+    if (near_ == 0) {
+        nearTriangles_.reset();
+    } else {
+        if (!nearTriangles_) nearTriangles_.emplace("near-plane triangles", GL_R32UI);
+        nearTriangles_->reserve(near_, "fewer triangles must cross the light's near plane");
         glNamedBufferSubData(nearTriangles_->buffer().name(), 0, static_cast<GLsizeiptr>(near_ * sizeof(std::uint32_t)), motion.nearPlane.data());
-    if (!lists_ || builtAsPublished_ != asPublished_) {
-        lists_.reset();  // first, so that both need not fit at once
+    }
+    const std::vector<std::uint32_t> triangles = listed(frame.plan);
+    if (otherForm || triangles.empty()) lists_.reset();  // first, so that both forms need not fit at once
+    builtWithCoverage_ = coverageMap_;
+    if (!triangles.empty()) buildLists(frame, triangles);
+}
+
+std::vector<std::uint32_t> TemporalShadow::listed(const FramePlan& plan) const {
+    std::vector<std::uint32_t> triangles = plan.casters.moving;
+    if (!asPublished_) return triangles;
+    // The paper knows no near plane: such prisms are clipped and stay open.
+    const auto middle = static_cast<std::ptrdiff_t>(triangles.size());
+    triangles.insert(triangles.end(), plan.casters.nearPlane.begin(), plan.casters.nearPlane.end());
+    std::inplace_merge(triangles.begin(), triangles.begin() + middle, triangles.end());
+    return triangles;
+}
+
+void TemporalShadow::buildLists(const TechniqueFrame& frame, const std::vector<std::uint32_t>& triangles) {
+    if (!lists_) {
         if (asPublished_)
             lists_ = std::make_unique<PublishedTuples>(programs_);
         else
             lists_ = std::make_unique<ExactTuples>(programs_);
-        builtAsPublished_ = asPublished_;
     }
-    builtWithCoverage_ = coverageMap_;
-    if (asPublished_) {
-        // The paper knows no near plane: such prisms are clipped and stay open.
-        const auto middle = static_cast<std::ptrdiff_t>(motion.moving.size());
-        motion.moving.insert(motion.moving.end(), motion.nearPlane.begin(), motion.nearPlane.end());
-        std::inplace_merge(motion.moving.begin(), motion.moving.begin() + middle, motion.moving.end());
-    }
-    lists_->build(frame, motion.moving, coverageMap_);
+    lists_->build(frame, triangles, coverageMap_);
 }
 
 gl::ShaderDefines TemporalShadow::lookupDefines(const FramePlan& plan) const {
@@ -101,18 +116,24 @@ gl::ShaderDefines TemporalShadow::lookupDefines(const FramePlan& plan) const {
 }
 
 void TemporalShadow::lookup(const TechniqueFrame& frame) {
-    gl::ShaderDefines defines = lookupDefines(frame.plan);
-    if (builtWithCoverage_) defines.emplace_back("COVERAGE_MAP", "1");
-    const gl::Program& program = programs_.get({"temporal lookup", "passes/fullscreen.vert", "techniques/temporal/lookup.frag", defines});
-    program.use();
-    glUniform1f(2, bias_);
-    glUniform1f(3, slopeBias_);
-    glUniform1i(4, builtAsPublished_ ? 0 : static_cast<GLint>(near_));
-    stillMap_->depth().bind(TUPLE_STILL_UNIT);
-    nearTriangles_->bindForReading(NEAR_TRIANGLES_UNIT);
-    lists_->bind();
-    if (!lookupPass_) lookupPass_.emplace();
-    lookupPass_->draw(frame, program);
+    frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
+        for (const auto& define : lookupDefines(frame.plan)) defines.push_back(define);
+        if (lists_) defines.emplace_back("MOVING_TRIANGLES", "1");
+        if (lists_ && builtWithCoverage_) defines.emplace_back("COVERAGE_MAP", "1");
+        const bool nearOnes = !builtAsPublished_ && near_ > 0;
+        if (nearOnes) defines.emplace_back("NEAR_TRIANGLES", "1");
+        const gl::Program& program = programs_.get({"temporal lookup", "passes/fullscreen.vert", "techniques/temporal/lookup.frag", defines});
+        program.use();
+        glUniform1f(2, bias_);
+        glUniform1f(3, slopeBias_);
+        if (nearOnes) {
+            glUniform1i(4, static_cast<GLint>(near_));
+            nearTriangles_->bindForReading(NEAR_TRIANGLES_UNIT);
+        }
+        stillMap_->depth().bind(TUPLE_STILL_UNIT);
+        if (lists_) lists_->bind();
+        return program;
+    });
 }
 
 std::vector<TechniqueView> TemporalShadow::views() const {
@@ -121,6 +142,7 @@ std::vector<TechniqueView> TemporalShadow::views() const {
 
 void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
     if (name != "tuples" && name != "time") return Technique::drawView(frame, name, values);
+    if (!lists_) buildLists(frame, listed(frame.plan));  // empty ones, to be looked at
     gl::ShaderDefines defines = lookupDefines(frame.plan);
     if (name == "time") defines.emplace_back("VIEW_TIME", "1");
     const gl::Program& program = programs_.get({"temporal view", "passes/fullscreen.vert", "techniques/temporal/view.frag", defines});
@@ -134,13 +156,13 @@ void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& na
 }
 
 std::vector<TechniqueFigure> TemporalShadow::figures() const {
-    if (!lists_) return {};
-    const TupleCounts counts = lists_->counts();
+    if (!stillMap_) return {};
+    const TupleCounts counts = lists_ ? lists_->counts() : TupleCounts{};
     const auto number = [](std::size_t n) { return static_cast<double>(n); };
     std::vector<TechniqueFigure> figures{
         {"moving triangles", number(moving_), "", ""},
         {"bending triangles", number(bending_), "", bending_ > 0 && builtAsPublished_ ? "the sides of their prisms are bent: times are off by some thousandths" : ""},
-        {"still triangles", number(still_), "", ""},
+        {"still triangles", number(stillCasters_), "", ""},
         {"near-plane triangles", number(near_), "", near_ > 0 && builtAsPublished_ ? "their prisms are cut open: shadows may begin or end at the wrong time" : ""},
         {"tuples", number(counts.tuples), "", ""},
         {"longest list", number(counts.longestList), "tuples", ""},

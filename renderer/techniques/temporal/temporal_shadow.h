@@ -35,6 +35,9 @@ class TemporalShadow final : public Technique {
     std::size_t bytes() const override;
 
   private:
+    /// The plan's casters that have tuples, by the form's own way.
+    std::vector<std::uint32_t> listed(const FramePlan& plan) const;
+    void buildLists(const TechniqueFrame& frame, const std::vector<std::uint32_t>& triangles);
     gl::ShaderDefines lookupDefines(const FramePlan& plan) const;
 
     gl::ProgramCache& programs_;
@@ -45,8 +48,7 @@ class TemporalShadow final : public Technique {
     std::unique_ptr<TupleLists> lists_;
     std::optional<StillMap> stillMap_;
     std::optional<gl::GrowingBuffer> nearTriangles_;
-    std::size_t still_ = 0, moving_ = 0, near_ = 0, bending_ = 0;
-    std::optional<LookupPass> lookupPass_;
+    std::size_t stillCasters_ = 0, moving_ = 0, near_ = 0, bending_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;
 };
 

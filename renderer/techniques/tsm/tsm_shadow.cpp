@@ -34,15 +34,34 @@ SamplingTraits TsmShadow::samplingTraits() const {
 }
 
 std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {
-    const std::size_t drawn = plan.light.smallTriangles.size() + plan.light.largeTriangles.size();
-    return {{"build",
-             fmt::format("{} map layers, one a stratum, each texel at its own random time; {} triangles never reach the map",
-                         plan.block.strata, plan.light.outsideTriangles),
-             drawn},
-            {"lookup", "each camera sample against the layer of its own stratum", 0}};
+    std::vector<PassDecision> passes;
+    passes.push_back({"build/still map", "one map of what stands still in the light's frame, kept until something of it changes", plan.light.still.count()});
+    if (!plan.light.moving.empty())
+        passes.push_back({"build/strata",
+                          fmt::format("{} map layers, one a stratum, each texel at its own random time, of what moves in the light's frame; {} "
+                                      "triangles never reach the map, the shadows of {} are never seen",
+                                      plan.block.strata, plan.light.outsideTriangles, plan.light.unseenTriangles),
+                          plan.light.moving.count()});
+    passes.push_back({"lookup",
+                      plan.light.moving.empty() ? "nothing moves in the light's frame: each camera sample against the one map"
+                                                : "each camera sample against the one map and the layer of its own stratum",
+                      0});
+    return passes;
 }
 
 void TsmShadow::build(const TechniqueFrame& frame) {
+    {
+        const auto timed = frame.timer.scope("build/still map");
+        if (!still_) still_.emplace(programs_, StillMap::Coverage::Exact);
+        still_->draw(frame.plan, frame.mesh);
+    }
+    if (frame.plan.light.moving.empty()) {
+        depth_.reset();
+        velocity_.reset();
+        rasterizer_.reset();
+        return;
+    }
+    const auto timed = frame.timer.scope("build/strata");
     const int size = frame.plan.request.mapSize, layers = static_cast<int>(frame.plan.block.strata);
     const auto fits = [&](const std::optional<gl::Texture>& map) { return map && map->width() == size && map->layers() == layers; };
     if (!fits(depth_)) depth_ = gl::Texture::array2D("tsm depth", GL_DEPTH_COMPONENT32F, size, size, layers);
@@ -52,33 +71,38 @@ void TsmShadow::build(const TechniqueFrame& frame) {
         velocity_ = gl::Texture::array2D("tsm depth velocity", GL_R32F, size, size, layers);
     if (!rasterizer_) rasterizer_.emplace(programs_);
     using Output = StochasticRasterizer::Output;
-    rasterizer_->draw(frame.mesh, frame.plan.light, StochasticRasterizer::Role::Light,
+    rasterizer_->draw(frame.mesh, frame.plan.light, {&frame.plan.light.moving}, StochasticRasterizer::Role::Light,
                       dynamicBias_ ? Output::DepthVelocity : Output::DepthOnly, frame.plan.block.strata,
                       velocity_ ? &*velocity_ : nullptr, *depth_);
 }
 
 void TsmShadow::lookup(const TechniqueFrame& frame) {
-    gl::ShaderDefines defines = viewDefines(frame.plan);
-    if (dynamicBias_) defines.emplace_back("DYNAMIC_BIAS", "1");
-    const gl::Program& program = programs_.get({"tsm lookup", "passes/fullscreen.vert", "techniques/tsm/lookup.frag", defines});
-    program.use();
-    glUniform1f(2, bias_);
-    glUniform1f(3, slopeBias_);
-    depth_->bind(TECHNIQUE_UNIT);
-    if (velocity_) velocity_->bind(TECHNIQUE_UNIT + 1);
-    if (!lookupPass_) lookupPass_.emplace();
-    lookupPass_->draw(frame, program);
+    frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
+        for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
+        if (depth_) defines.emplace_back("MOVING_CASTERS", "1");
+        if (velocity_) defines.emplace_back("DYNAMIC_BIAS", "1");
+        const gl::Program& program = programs_.get({"tsm lookup", "passes/fullscreen.vert", "techniques/tsm/lookup.frag", defines});
+        program.use();
+        glUniform1f(2, bias_);
+        glUniform1f(3, slopeBias_);
+        if (depth_) depth_->bind(TECHNIQUE_UNIT);
+        if (velocity_) velocity_->bind(TECHNIQUE_UNIT + 1);
+        still_->depth().bind(TECHNIQUE_UNIT + 2);
+        return program;
+    });
 }
 
 std::vector<const gl::Texture*> TsmShadow::textures() const {
     std::vector<const gl::Texture*> all;
     for (const auto* texture : {&depth_, &velocity_})
         if (*texture) all.push_back(&**texture);
+    if (still_ && still_->drawn()) all.push_back(&still_->depth());
     return all;
 }
 
 std::size_t TsmShadow::bytes() const {
-    return (depth_ ? depth_->bytes() : 0) + (velocity_ ? velocity_->bytes() : 0) + (rasterizer_ ? rasterizer_->bytes() : 0);
+    return (depth_ ? depth_->bytes() : 0) + (velocity_ ? velocity_->bytes() : 0) + (rasterizer_ ? rasterizer_->bytes() : 0) +
+           (still_ ? still_->bytes() : 0);
 }
 
 } // namespace timeshade

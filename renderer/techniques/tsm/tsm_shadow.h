@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "passes/still_map.h"
 #include "passes/stochastic_rasterizer.h"
 #include "techniques/technique.h"
 
@@ -10,7 +11,8 @@ namespace timeshade {
 /// Time-dependent shadow maps (Akenine-Moller, Munkberg, Hasselgren 2007, as P1, P2 and P4 describe them): one map
 /// layer per stratum of the shutter, each texel of it drawn at a random time of the stratum; a camera sample is tested in the
 /// layer of its own stratum. The times differ by up to 1/N of the shutter, 1/(3N) in the mean. Without the dynamic bias a
-/// receiver that approaches the light at v per shutter shadows itself on 1/2 (1 - bias N / v)^2 of its samples.
+/// receiver that approaches the light at v per shutter shadows itself on 1/2 (1 - bias N / v)^2 of its samples. What stands still in
+/// the light's frame has the same depth at all times: it is in one map beside the layers.
 class TsmShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -31,7 +33,7 @@ class TsmShadow final : public Technique {
     bool dynamicBias_ = false;
     std::optional<StochasticRasterizer> rasterizer_;
     std::optional<gl::Texture> depth_, velocity_;
-    std::optional<LookupPass> lookupPass_;
+    std::optional<StillMap> still_;
 };
 
 } // namespace timeshade

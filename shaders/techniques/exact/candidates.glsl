@@ -5,12 +5,10 @@
 #include "shared/candidate_bounds.shared.h"
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
-layout(binding = LARGE_TRIANGLES_UNIT) uniform usamplerBuffer casters;  // triangles that may cast a shadow: moving ones first
+layout(binding = LARGE_TRIANGLES_UNIT) uniform usamplerBuffer casters;  // triangles that may cast a shadow
 layout(location = 0) uniform uint gridSide;   // cells along a side
-layout(location = 1) uniform uint buckets;    // of the shutter, for moving triangles
-layout(location = 2) uniform uint firstCaster;
+layout(location = 1) uniform uint buckets;    // of the shutter
 layout(location = 3) uniform uint items;      // casters times buckets
-layout(location = 4) uniform uint still;      // 1: the casters stand still, and go to the one list of their cell that has no time
 
 #ifdef FILL
 layout(std430, binding = TECHNIQUE_STORAGE_BINDING) writeonly buffer Candidates { uvec2 candidates[]; };
@@ -35,8 +33,8 @@ vec3 flattened(vec3 v) { return v; }
 
 // item: caster times the number of buckets, plus the bucket.
 Footprint footprintOf(uint item) {
-    uint bucket = still != 0u ? 0u : item % buckets;
-    uint id = texelFetch(casters, int(firstCaster + (still != 0u ? item : item / buckets))).x;
+    uint bucket = item % buckets;
+    uint id = texelFetch(casters, int(item / buckets)).x;
     int first = int(id) * TRIANGLE_POSITION_TEXELS;
     vec4 a = texelFetch(trianglePositions, first), b = texelFetch(trianglePositions, first + 1),
          c = texelFetch(trianglePositions, first + 2), d = texelFetch(trianglePositions, first + 3),
@@ -44,14 +42,14 @@ Footprint footprintOf(uint item) {
     vec3 open0 = viewOpen(a.xyz), open1 = viewOpen(vec3(a.w, b.xy)), open2 = viewOpen(vec3(b.zw, c.x));
     vec3 close0 = viewClose(c.yzw), close1 = viewClose(d.xyz), close2 = viewClose(vec3(d.w, e.xy));
     // A little over both ends, as the receiver's bucket is found by a rounded product.
-    float begin = still != 0u ? 0.0 : max(float(bucket) / float(buckets) - 1e-6, 0.0);
-    float end = still != 0u ? 1.0 : min(float(bucket + 1u) / float(buckets) + 1e-6, 1.0);
+    float begin = max(float(bucket) / float(buckets) - 1e-6, 0.0);
+    float end = min(float(bucket + 1u) / float(buckets) + 1e-6, 1.0);
     vec3 a0 = mix(open0, close0, begin), a1 = mix(open1, close1, begin), a2 = mix(open2, close2, begin);
     vec3 b0 = mix(open0, close0, end), b1 = mix(open1, close1, end), b2 = mix(open2, close2, end);
     Footprint f;
     bool moves = any(notEqual(a.xyz, c.yzw)) || any(notEqual(vec3(a.w, b.xy), d.xyz)) || any(notEqual(vec3(b.zw, c.x), vec3(d.w, e.xy)));
     f.caster = moves ? id | CANDIDATE_MOVES : id;
-    f.list = (still != 0u ? buckets : bucket) * gridSide * gridSide;
+    f.list = bucket * gridSide * gridSide;
     f.nearest = min(min(min(a0.z, a1.z), min(a2.z, b0.z)), min(b1.z, b2.z));
     f.nearest -= 4e-6 * max(abs(f.nearest), max(max(max(a0.z, a1.z), max(a2.z, b0.z)), max(b1.z, b2.z)));
 #ifdef LIGHT_ORTHOGRAPHIC

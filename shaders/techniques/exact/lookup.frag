@@ -1,19 +1,16 @@
 // Is the receiver lit, by testing every triangle that might shadow it, at its own time and place? VIEW_CANDIDATES: how many
-// were tested instead.
-#include "lib/light_map.glsl"
+// were tested instead. MOVING_TRIANGLES, STILL_TRIANGLES: there are such.
+#include "lib/lookup.glsl"
 #include "shared/candidate_bounds.shared.h"
 #include "shared/segment_triangle.shared.h"
 
-layout(binding = TECHNIQUE_UNIT) uniform usamplerBuffer offsets;
-layout(binding = TECHNIQUE_UNIT + 1) uniform usamplerBuffer candidates;  // triangle, where it is
-layout(location = 0) uniform uint stratum;
-layout(location = 1) uniform uint gridSide;
+layout(binding = TECHNIQUE_UNIT) uniform usamplerBuffer movingOffsets;
+layout(binding = TECHNIQUE_UNIT + 1) uniform usamplerBuffer movingCandidates;  // triangle, where it is
+layout(binding = TECHNIQUE_UNIT + 2) uniform usamplerBuffer stillOffsets;
+layout(binding = TECHNIQUE_UNIT + 3) uniform usamplerBuffer stillCandidates;
+layout(location = 1) uniform uint movingSide;
 layout(location = 2) uniform uint buckets;
-#ifdef VIEW_CANDIDATES
-layout(location = 3) uniform float share;  // of a sample in its pixel
-#endif
-
-layout(location = 0) out float outputLit;
+layout(location = 3) uniform uint stillSide;
 
 bool shadows(uint candidate, Receiver r, vec3 toLight) {
     int first = int(candidate & ~CANDIDATE_MOVES) * TRIANGLE_POSITION_TEXELS;
@@ -31,52 +28,67 @@ bool shadows(uint candidate, Receiver r, vec3 toLight) {
                                 vertexFromReceiver(open2, close2, r.time, r.position), 0.0);
 }
 
-void main() {
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
-    uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
-#ifdef VIEW_CANDIDATES
-    outputLit = 0.0;
-#else
-    outputLit = 1.0;
-#endif
-    if (id == NO_TRIANGLE) return;
-    Receiver r = receiverOf(fetchTriangle(id), id, pixel, stratum);
-    outputLit = 0.0;
-    if (!facesLight(r)) return;
+float tested = 0.0;  // candidates of this sample
+
+// Does a candidate of the receiver's cell in bucket `bucket` shadow it?
+bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side, uint bucket, Receiver r, MapPoint m, vec3 toLight) {
+    vec2 inGrid = m.position * float(side);
+    ivec2 cell = clamp(ivec2(floor(inGrid)), ivec2(0), ivec2(side) - 1);
+    uvec2 place = uvec2(clamp(floor((inGrid - vec2(cell)) * 16.0), vec2(0.0), vec2(15.0)));
+    int list = int((bucket * side + uint(cell.y)) * side) + cell.x;
+    int i = int(texelFetch(offsets, list).x), last = int(texelFetch(offsets, list + 1).x);
+    bool shadowed = false;
+    // Skipping first and testing then keeps neighbouring pixels at the same work (Aila and Laine 2009).
+    while (i < last) {
+        uvec2 candidate = uvec2(r.triangle, 0u);
+        bool reaches = false;
+        while (i < last && !reaches) {
+            candidate = texelFetch(candidates, i++).xy;
+            reaches = candidateReaches(candidate.y, place, m.depth) && (candidate.x & ~CANDIDATE_MOVES) != r.triangle;
+        }
+        if (!reaches) break;
+        tested += 1.0;
+        if (shadows(candidate.x, r, toLight)) {
+            shadowed = true;
+            break;
+        }
+    }
+    return shadowed;
+}
+
+float litOf(MovingTriangle t, Receiver r) {
     MapPoint m = mapPointOf(r, r.time);
     vec3 toLight = towardsLight(r.position, r.time);
 #ifdef LIGHT_ORTHOGRAPHIC
     toLight *= lightView.farDistance;
 #endif
-    vec2 inGrid = m.position * float(gridSide);
-    ivec2 cell = clamp(ivec2(floor(inGrid)), ivec2(0), ivec2(gridSide) - 1);
-    uvec2 place = uvec2(clamp(floor((inGrid - vec2(cell)) * 16.0), vec2(0.0), vec2(15.0)));
-    uint cells = gridSide * gridSide, list = uint(cell.y) * gridSide + uint(cell.x);
-    uint bucket = min(uint(r.time * float(buckets)), buckets - 1u);
-    float tested = 0.0, lit = 1.0;
+    bool shadowed = false;
     // First what moves, in the receiver's own bucket of time; then what stands still.
-    for (uint pass = 0u; pass < 2u; ++pass) {
-        int offset = int((pass == 0u ? bucket : buckets) * cells + list);
-        int i = int(texelFetch(offsets, offset).x), last = lit > 0.0 ? int(texelFetch(offsets, offset + 1).x) : 0;
-        // Skipping first and testing then keeps neighbouring pixels at the same work (Aila and Laine 2009).
-        while (i < last) {
-            uvec2 candidate = uvec2(id, 0u);
-            bool reaches = false;
-            while (i < last && !reaches) {
-                candidate = texelFetch(candidates, i++).xy;
-                reaches = candidateReaches(candidate.y, place, m.depth) && (candidate.x & ~CANDIDATE_MOVES) != id;
-            }
-            if (!reaches) break;
-            tested += 1.0;
-            if (shadows(candidate.x, r, toLight)) {
-                lit = 0.0;
-                break;
-            }
-        }
-    }
-#ifdef VIEW_CANDIDATES
-    outputLit = tested * share;
-#else
-    outputLit = lit;
+#if defined(MOVING_TRIANGLES) && !defined(STILL_CASTERS_ALONE)
+    uint bucket = min(uint(r.time * float(buckets)), buckets - 1u);
+    shadowed = shadowedByList(movingOffsets, movingCandidates, movingSide, bucket, r, m, toLight);
 #endif
+#ifdef STILL_TRIANGLES
+    if (!shadowed) shadowed = shadowedByList(stillOffsets, stillCandidates, stillSide, 0u, r, m, toLight);
+#endif
+    return shadowed ? 0.0 : 1.0;
 }
+
+#ifdef VIEW_CANDIDATES
+layout(location = 4) uniform float share;  // of a sample in its pixel
+layout(location = 0) out float outputTested;
+
+void main() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
+    outputTested = 0.0;
+    if (id == NO_TRIANGLE) return;
+    MovingTriangle t = fetchTriangle(id);
+    Receiver r = receiverOf(t, id, pixel, stratum);
+    if (!facesLight(r)) return;
+    litOf(t, r);
+    outputTested = tested * share;
+}
+#else
+#include "lib/lookup_main.glsl"
+#endif

@@ -1,0 +1,66 @@
+#include "effects.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "frame_setup.h"
+#include "gl_checks.h"
+#include "image/image_file.h"
+#include "make_context.h"
+#include "measure/effects.h"
+#include "progress.h"
+#include "report.h"
+#include "scene/error.h"
+#include "scene_catalogue.h"
+
+namespace timeshade {
+
+namespace {
+
+nlohmann::ordered_json toJson(const EffectRow& row) {
+    return {{"effect", row.effect},       {"technique", row.technique},       {"moving_casters", row.movingCasters},
+            {"moving_seen", row.movingSeen}, {"milliseconds", row.milliseconds}, {"figures", row.figures},
+            {"bytes", row.bytes},         {"of_unplanned", row.unplannedShare}, {"passes", row.passes}};
+}
+
+} // namespace
+
+int runEffects(const Options& options) {
+    const std::filesystem::path folder(options.output);
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw Error(fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    std::vector<std::string> names = options.measuredScenes;
+    if (names.empty())
+        for (const BuiltInScene& scene : showcase()) names.push_back(scene.name);
+    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
+    const DriverWatch watch(options.debugGl);
+    EffectOptions effects;
+    if (!options.measuredTechniques.empty()) effects.technique = options.measuredTechniques.front();
+    effects.frames = options.rounds + 2;
+    std::string report;
+    nlohmann::ordered_json json;
+    for (const std::string& name : names) {
+        const std::unique_ptr<Scene> scene = openScene(name, options.clip, options.settings);
+        const FrameRequest request = requestFor(options, *scene);
+        std::optional<Progress> progress;
+        effects.progress = [&](int done, int total) {
+            if (!progress) progress.emplace(total);
+            progress->update(done);
+        };
+        const std::vector<EffectRow> rows = measureEffects(*scene, request, effects);
+        report += fmt::format("## {}, frame {:g}, shutter {:g}\n\n{}\n", name, request.frame, request.shutter.length, effectsTable(rows));
+        for (const EffectRow& row : rows) json[name].push_back(toJson(row));
+    }
+    watch.requireSilence();
+    const std::string head = fmt::format("# What each effect costs\n\n{}. {} x {}, {} samples a pixel, map {}. Medians over {} frames in a row, in ms.\n\n",
+                                         deviceLine(gl::currentDevice()), options.width, options.height, options.samplesPerPixel, options.mapSize, options.rounds);
+    writeFileAtomically(folder / "effects.md", head + report);
+    writeFileAtomically(folder / "effects.json", json.dump(2) + "\n");
+    fmt::print("{}{}\n", report, std::filesystem::absolute(folder / "effects.md").lexically_normal().string());
+    return 0;
+}
+
+} // namespace timeshade

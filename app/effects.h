@@ -1,0 +1,10 @@
+#pragma once
+
+#include "options.h"
+
+namespace timeshade {
+
+/// `timeshade measure --effects`: what each thing that moves in a scene costs, and what the plan saves. Returns the exit code.
+int runEffects(const Options& options);
+
+} // namespace timeshade

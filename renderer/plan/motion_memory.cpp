@@ -1,0 +1,75 @@
+#include "plan/motion_memory.h"
+
+#include <atomic>
+#include <cstring>
+
+#include "plan/frame_plan.h"
+
+namespace timeshade {
+
+namespace {
+
+/// One count for all planners, so that no two of them give one number to different things.
+std::uint64_t newVersion() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+template <typename T>
+bool sameBytes(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+bool stillCaster(const TriangleMotion& t) { return !t.light.moves && t.light.reach != Reach::Outside; }
+
+bool stillBeforeCamera(const TriangleMotion& t) {
+    return !t.camera.moves && t.camera.reach != Reach::Outside && (t.doubleSided || t.camera.facing != Facing::Away);
+}
+
+} // namespace
+
+MotionMemory::Motion MotionMemory::update(const std::shared_ptr<const MeshTexels>& texels, const FrameViews& views) {
+    const bool first = !texels_ || texels_->positions.size() != texels->positions.size();
+    const bool sameCamera = !first && sameBytes(camera_, views.camera.block) && block_.strata == views.block.strata;
+    const bool sameLight = !first && sameBytes(light_, views.light.block) && block_.lightDirection == views.block.lightDirection &&
+                           block_.lightPositionOpen == views.block.lightPositionOpen && block_.lightPositionClose == views.block.lightPositionClose;
+    const bool sameBlock = !first && sameBytes(block_, views.block);
+    bool sameCasters = sameLight, sameSeen = sameCamera && sameBlock;
+
+    Motion now;
+    if (!(sameCamera && sameLight && texels_ == texels)) {
+        const std::size_t count = texels->positions.size() / TRIANGLE_POSITION_TEXELS;
+        auto triangles = std::make_shared<std::vector<TriangleMotion>>(count);
+        for (std::uint32_t id = 0; id < count; ++id) {
+            const std::size_t at = std::size_t{id} * TRIANGLE_POSITION_TEXELS;
+            const bool samePlace = !first && (texels_ == texels || std::memcmp(&texels_->positions[at], &texels->positions[at],
+                                                                               TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
+            TriangleMotion& motion = (*triangles)[id];
+            if (samePlace && sameCamera && sameLight) {
+                motion = (*last_.triangles)[id];
+                continue;
+            }
+            motion = motionOf(texels->positions, id, views);
+            ++now.decidedAnew;
+            if (first) continue;
+            const TriangleMotion& before = (*last_.triangles)[id];
+            if (stillCaster(motion) || stillCaster(before)) sameCasters = sameCasters && samePlace && stillCaster(motion) == stillCaster(before);
+            if (stillBeforeCamera(motion) || stillBeforeCamera(before))
+                sameSeen = sameSeen && samePlace && stillBeforeCamera(motion) == stillBeforeCamera(before);
+        }
+        now.triangles = std::move(triangles);
+    } else {
+        now.triangles = last_.triangles;
+    }
+    now.versions.casters = sameCasters ? last_.versions.casters : newVersion();
+    now.versions.samples = sameSeen ? last_.versions.samples : newVersion();
+    now.versions.lit = sameCasters && sameSeen && sameBlock ? last_.versions.lit : newVersion();
+    texels_ = texels;
+    camera_ = views.camera.block;
+    light_ = views.light.block;
+    block_ = views.block;
+    last_ = now;
+    return now;
+}
+
+} // namespace timeshade

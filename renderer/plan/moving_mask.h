@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace timeshade {
+
+struct FramePlan;
+
+/// Where in the light's map a moving caster may be at any time of the shutter: a grid of bytes over the map, 0 where none comes
+/// within four texels (the widest that a technique's test looks aside).
+struct MovingMask {
+    static constexpr int side = 128;
+    std::vector<std::uint8_t> cells;  ///< [row from t = 0][column], side * side; empty: not made
+    std::size_t marked = 0;
+};
+
+/// Of plan.casters.moving and nearPlane.
+MovingMask maskOfMovingCasters(const FramePlan& plan);
+
+} // namespace timeshade

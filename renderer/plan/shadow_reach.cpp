@@ -1,0 +1,40 @@
+#include "plan/shadow_reach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace timeshade {
+
+namespace {
+
+/// The five planes of a view's frustum as linear functions of its coordinates that are positive inside: 0 < X < Z, 0 < Y < Z, and Z > 0.
+std::array<float, 5> planes(const glm::vec3& v) { return {v.x, v.z - v.x, v.y, v.z - v.y, v.z}; }
+
+float largest(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+} // namespace
+
+// Behind a vertex p, seen from the light l, lie the points p + t (p - l), t >= 0. A plane's function f is linear, so all of them are
+// outside where f(p) < 0 and f(p) - f(l) < 0; and so are, p and l being linear in u and a triangle the hull of its vertices, all points behind
+// the triangle at all times where that holds for three vertices at both ends.
+bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera) {
+    if (views.camera.turns || views.camera.projection != Projection::Perspective) return true;
+    const bool directional = views.block.lightDirection.w != 0.0f;
+    bool outside[5] = {true, true, true, true, true};
+    for (const bool close : {false, true}) {
+        const glm::mat4& viewFromWorld = close ? views.camera.block.viewFromWorldClose : views.camera.block.viewFromWorldOpen;
+        const glm::vec3 light(viewFromWorld * glm::vec4(glm::vec3(close ? views.block.lightPositionClose : views.block.lightPositionOpen), 1.0f));
+        const glm::vec3 direction = glm::mat3(viewFromWorld) * glm::vec3(views.block.lightDirection);
+        for (const glm::vec3& vertex : close ? inCamera.close : inCamera.open) {
+            const glm::vec3 onwards = directional ? direction : vertex - light;
+            const float slack = 1e-4f * largest(vertex);
+            const float onwardsSlack = 1e-4f * (directional ? largest(direction) : largest(vertex) + largest(light));
+            const std::array<float, 5> here = planes(vertex), change = planes(onwards);
+            for (std::size_t i = 0; i < 5; ++i) outside[i] = outside[i] && here[i] < -slack && change[i] < -onwardsSlack;
+        }
+    }
+    return std::none_of(std::begin(outside), std::end(outside), [](bool yes) { return yes; });
+}
+
+} // namespace timeshade

@@ -1,0 +1,117 @@
+#include "plan/triangle_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plan/shadow_reach.h"
+#include "plan/view_triangle.h"
+#include "shared/swept_bounds.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+Facing facingOf(const ViewTriangle& t, Projection projection) {
+    const auto vector = [&](glm::vec3 v) { return projection == Projection::Orthographic ? glm::vec3(v.x, v.y, 1.0f) : v; };
+    const glm::vec4 facing =
+        shared::determinantCoefficients(vector(t.open[0]), vector(t.open[1]), vector(t.open[2]), vector(t.close[0]),
+                                        vector(t.close[1]), vector(t.close[2]));
+    if (glm::all(glm::lessThan(facing, glm::vec4(0.0f)))) return Facing::Away;
+    if (glm::all(glm::greaterThan(facing, glm::vec4(0.0f)))) return Facing::Towards;
+    return Facing::Unsure;
+}
+
+/// Side of the square that covers the triangle during one stratum, about: its own extent and its share of the way.
+float squareSide(const ViewPlan& view, const ViewTriangle& t, const shared::SweptBounds& swept, std::uint32_t strata) {
+    ViewTriangle still = t;
+    for (int i = 0; i < 3; ++i) still.close[i] = t.open[i];
+    const shared::SweptBounds own = boundsOf(view, still);
+    const glm::vec2 extent = (own.high - own.low) * view.block.size;
+    const glm::vec2 whole = (swept.high - swept.low) * view.block.size;
+    const glm::vec2 side = extent + (whole - extent) / static_cast<float>(strata);
+    return std::max(side.x, side.y);
+}
+
+bool fitsPoint(const ViewPlan& view, const ViewTriangle& t, const shared::SweptBounds& bounds, std::uint32_t strata) {
+    // A square wastes what lies beside a long triangle; a rectangle costs four vertices and two triangles of set-up.
+    const float largestSmallSide = 16.0f;
+    const glm::vec2 whole = (bounds.high - bounds.low) * view.block.size;
+    return bounds.crosses == 0u && std::max(whole.x, whole.y) < static_cast<float>(maximumPointSide - 2) &&
+           squareSide(view, t, bounds, strata) <= largestSmallSide;
+}
+
+float nearest(const ViewTriangle& t) {
+    return std::min({t.open[0].z, t.open[1].z, t.open[2].z, t.close[0].z, t.close[1].z, t.close[2].z});
+}
+
+Reach reachOf(const shared::SweptBounds& bounds) {
+    if (!meetsImage(bounds)) return Reach::Outside;
+    const bool inside = bounds.crosses == 0u && glm::all(glm::greaterThanEqual(bounds.low, glm::vec2(0.0f))) &&
+                        glm::all(glm::lessThanEqual(bounds.high, glm::vec2(1.0f)));
+    return inside ? Reach::Inside : Reach::Crossing;
+}
+
+ViewMotion motionIn(const ViewPlan& view, const ViewTriangle& t, std::uint32_t strata) {
+    const shared::SweptBounds bounds = boundsOf(view, t);
+    ViewMotion motion;
+    motion.moves = view.turns || t.open[0] != t.close[0] || t.open[1] != t.close[1] || t.open[2] != t.close[2];
+    motion.facing = facingOf(t, view.projection);
+    motion.reach = reachOf(bounds);
+    motion.small = motion.reach != Reach::Outside && fitsPoint(view, t, bounds, strata);
+    motion.reachesNearPlane = view.projection == Projection::Perspective && nearest(t) <= view.block.nearDistance;
+    return motion;
+}
+
+/// Do the vertices take different ways? By more than the rounding of the view's coordinates.
+bool bends(const ViewTriangle& t) {
+    float size = 0.0f, difference = 0.0f;
+    for (int i = 0; i < 3; ++i) {
+        const glm::vec3 other = (t.close[i] - t.open[i]) - (t.close[0] - t.open[0]);
+        for (int axis = 0; axis < 3; ++axis) {
+            size = std::max({size, std::abs(t.open[i][axis]), std::abs(t.close[i][axis])});
+            difference = std::max(difference, std::abs(other[axis]));
+        }
+    }
+    return difference > 1e-5f * size;
+}
+
+bool movesInWorld(const glm::vec4* texels) {
+    const float* open = &texels[0].x;
+    return !std::equal(open, open + 9, open + 9);
+}
+
+} // namespace
+
+TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint32_t id, const FrameViews& views) {
+    const ViewTriangle inCamera = viewTriangle(views.camera.block, positionTexels, id);
+    const ViewTriangle inLight = viewTriangle(views.light.block, positionTexels, id);
+    TriangleMotion motion;
+    motion.movesInWorld = movesInWorld(positionTexels.data() + std::size_t{id} * TRIANGLE_POSITION_TEXELS);
+    motion.doubleSided = inCamera.doubleSided;
+    motion.camera = motionIn(views.camera, inCamera, views.block.strata);
+    motion.light = motionIn(views.light, inLight, views.block.strata);
+    motion.bends = motion.light.moves && bends(inLight);
+    motion.shadowMayBeSeen = shadowMayBeSeen(views, inCamera);
+    return motion;
+}
+
+void listTriangles(ViewPlan& view, const std::vector<TriangleMotion>& triangles, ViewMotion TriangleMotion::*part, const ListRules& rules) {
+    view.still = view.moving = {};
+    view.outsideTriangles = view.facingAwayTriangles = view.unseenTriangles = 0;
+    for (std::uint32_t id = 0; id < triangles.size(); ++id) {
+        const TriangleMotion& triangle = triangles[id];
+        const ViewMotion& motion = triangle.*part;
+        if (rules.dropFacingAway && !triangle.doubleSided && motion.facing == Facing::Away) {
+            ++view.facingAwayTriangles;
+        } else if (motion.reach == Reach::Outside) {
+            ++view.outsideTriangles;
+        } else if (rules.dropUnseenShadows && motion.moves && !triangle.shadowMayBeSeen) {
+            ++view.unseenTriangles;
+        } else {
+            TriangleLists& lists = motion.moves || rules.allMove ? view.moving : view.still;
+            (motion.small ? lists.small : lists.large).push_back(id);
+        }
+    }
+}
+
+} // namespace timeshade

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "gl/framebuffer.h"
+#include "gl/program_cache.h"
+#include "gl/texture.h"
+
+namespace timeshade {
+
+struct TechniqueFrame;
+
+/// Draws a technique's lookup (shaders/lib/lookup.glsl) over the visibility buffer, once a stratum, and asks no question twice:
+/// - where nothing moves and the frame is the one before, the buffer holds the answers already;
+/// - where camera and light stand still, answers about still receivers that no moving caster can reach are kept from the
+///   second such frame on (one float and one cell number a sample), and only the others are asked for.
+/// What is drawn is the same to the last bit in either case.
+class LookupPass {
+  public:
+    /// The technique's program with further defines (those of lib/lookup_main.glsl), its uniforms set and its textures bound.
+    using ProgramFor = std::function<const gl::Program&(const gl::ShaderDefines& purpose)>;
+
+    explicit LookupPass(gl::ProgramCache& programs) : programs_(programs), target_("visibility target") {}
+    void draw(const TechniqueFrame& frame, const ProgramFor& programFor);
+
+    /// Around a technique's lookup: one that does not come here leaves nothing to be kept.
+    void begin() { used_ = false; }
+    void end() { if (!used_) forget(); }
+    void forget();
+    /// Camera samples that were asked for in the last frame were `all` of them, or those that something may have changed.
+    enum class Extent { All, Reached, Nothing };
+    Extent lastExtent() const { return lastExtent_; }
+    std::size_t bytes() const;
+
+  private:
+    static void drawStrata(const TechniqueFrame& frame, const gl::Program& program, const gl::Framebuffer& target, const gl::Texture& ids,
+                           const gl::Texture& lit, const gl::Texture* cells);
+    void dropKept();
+    void keep(const TechniqueFrame& frame, const ProgramFor& programFor);
+    void drawReached(const TechniqueFrame& frame, const ProgramFor& programFor);
+
+    gl::ProgramCache& programs_;
+    gl::Framebuffer target_;
+    std::optional<gl::Framebuffer> keepTarget_, reachedTarget_;
+    bool used_ = false;
+    Extent lastExtent_ = Extent::All;
+    std::uint64_t drawn_ = 0;  ///< key of what the visibility buffer holds, where that is good for the next frame
+    std::uint64_t seen_ = 0;   ///< key of the frame before
+    std::uint64_t kept_ = 0;   ///< key of what is kept
+    std::optional<gl::Texture> keptLit_, keptCells_, reached_, depth_;
+};
+
+} // namespace timeshade

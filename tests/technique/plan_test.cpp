@@ -1,0 +1,133 @@
+// The plan simulates only what a scene calls for, and nobody may see it: pictures with the plan and what it keeps, drawn in a row, are
+// those of --no-plan, drawn alone.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/procedural_scene.h"
+#include "scene_catalogue.h"
+#include "support/awkward_numbers.h"
+#include "support/eventful_scene.h"
+#include "support/gl_environment.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+namespace {
+
+/// Those whose picture is a matter of the frame alone.
+const std::vector<std::string> techniques{"static", "tsm", "accumulation", "ranges", "temporal", "exact"};
+
+/// Two renderers, so that what one keeps is not disturbed by the other.
+FrameRenderer& plannedRenderer() { return sharedRenderer(); }
+FrameRenderer& unplannedRenderer() {
+    static FrameRenderer renderer;
+    return renderer;
+}
+
+struct Difference {
+    std::size_t samples = 0, ids = 0, lit = 0;
+    void add(const FrameRenderer& a, const FrameRenderer& b) {
+        const std::vector<std::uint32_t> idsA = a.readSampleIds(), idsB = b.readSampleIds();
+        const std::vector<float> litA = a.readVisibility(), litB = b.readVisibility();
+        ASSERT_EQ(litA.size(), litB.size());
+        for (std::size_t i = 0; i < litA.size(); ++i) {
+            ++samples;
+            ids += idsA[i] != idsB[i] ? 1u : 0u;
+            lit += litA[i] != litB[i] ? 1u : 0u;
+        }
+    }
+};
+
+FramePlan unplanned(const Scene& scene, FrameRequest request) {
+    request.planned = false;
+    return FramePlanner(scene).plan(request);
+}
+
+struct Sequence {
+    std::unique_ptr<EventfulScene> scene;
+    std::unique_ptr<FramePlanner> planner;
+    FrameRequest request;
+    std::string techniqueName;
+    std::unique_ptr<Technique> planned, plain;
+
+    void choose(const std::string& name) {
+        techniqueName = name;
+        planned = makeTechnique(name, plannedRenderer().programs());
+        plain = makeTechnique(name, unplannedRenderer().programs());
+        if (name == "accumulation") set("renders", "3");
+    }
+    void set(const std::string& key, const std::string& text) {
+        setFromText(*planned, key, text);
+        setFromText(*plain, key, text);
+    }
+    void choose(std::uint32_t seed, bool directional) {
+        scene = std::make_unique<EventfulScene>(seed, directional);
+        planner = std::make_unique<FramePlanner>(*scene);
+    }
+};
+
+/// Something that a user does between two frames.
+std::string disturb(Sequence& s, AwkwardNumbers& numbers) {
+    switch (numbers.below(16)) {
+    case 0: s.request.frame = static_cast<double>(numbers.below(EventfulScene::frames)); return "seek";
+    case 1: s.request.shutter.length = numbers.oneIn(2) ? 0.0 : 0.6; return "shutter";
+    case 2: s.request.width = numbers.oneIn(2) ? 40 : 33; return "size";
+    case 3: s.request.mapSize = numbers.oneIn(2) ? 256 : 192; return "map";
+    case 4: s.request.samplesPerPixel = numbers.oneIn(2) ? 4 : 2; return "spp";
+    case 5: s.request.seed = numbers.below(3); return "seed";
+    case 6: s.choose(techniques[numbers.below(static_cast<std::uint32_t>(techniques.size()))]); return "technique";
+    case 7: s.choose(numbers.word(), numbers.oneIn(4)); return "scene";
+    case 8:
+        if (s.techniqueName == "static") s.set("pcf_radius", numbers.oneIn(2) ? "1" : "0");
+        if (s.techniqueName == "tsm") s.set("dynamic_bias", numbers.oneIn(2) ? "1" : "0");
+        if (s.techniqueName != "exact") s.set("bias", numbers.oneIn(2) ? "0.5" : "1.5");
+        return "setting";
+    case 9: s.request.keeps = !s.request.keeps; return "keeping";
+    case 10: return "held";  // the same moment again
+    default: s.request.frame = std::fmod(s.request.frame + 1.0, static_cast<double>(EventfulScene::frames)); return "next";
+    }
+}
+
+class PlanOfTechnique : public testing::TestWithParam<std::string> {};
+
+/// 84 sequences of 6 frames for each of six techniques. Where two differ, rounding decided: a texel whose middle lies on an edge, a depth that all but
+/// equals the receiver's.
+TEST_P(PlanOfTechnique, RandomSequencesLookAsIfNothingWerePlanned) {
+    constexpr std::uint32_t sequences = 84;
+    constexpr int framesEach = 6;
+    const auto which = static_cast<std::uint32_t>(std::find(techniques.begin(), techniques.end(), GetParam()) - techniques.begin());
+    Difference difference;
+    std::size_t keptFrames = 0;
+    for (std::uint32_t i = 0; i < sequences; ++i) {
+        AwkwardNumbers numbers(1000 * which + i);
+        Sequence s;
+        s.request = ProceduralScene::request(40, 30, 4, 256, 1);
+        s.choose(numbers.word(), numbers.oneIn(4));
+        s.choose(GetParam());
+        std::string story;
+        for (int frame = 0; frame < framesEach; ++frame) {
+            const FramePlan plan = s.planner->plan(s.request);
+            plannedRenderer().draw(plan, *s.planned, View::Visibility);
+            unplannedRenderer().draw(unplanned(*s.scene, s.request), *s.plain, View::Visibility);
+            const std::size_t before = difference.lit + difference.ids;
+            difference.add(plannedRenderer(), unplannedRenderer());
+            EXPECT_LE(difference.lit + difference.ids, before + 12) << "sequence " << i << ", frame " << frame << ", " << s.techniqueName << ", after" << story;
+            keptFrames += plan.still.lit != 0 ? 1u : 0u;
+            story += " " + disturb(s, numbers);
+        }
+    }
+    EXPECT_GT(keptFrames, 80u) << "too few frames in which anything could be kept";
+    const auto ppm = [&](std::size_t count) { return 1e6 * static_cast<double>(count) / static_cast<double>(difference.samples); };
+    fmt::print("{}: {:.2f} ppm of {} samples see another triangle, {:.2f} another light; kept in {} frames\n", GetParam(), ppm(difference.ids),
+               difference.samples, ppm(difference.lit), keptFrames);
+    EXPECT_LE(ppm(difference.ids), 5.0);
+    EXPECT_LE(ppm(difference.lit), 5.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, PlanOfTechnique, testing::ValuesIn(techniques), [](const auto& each) { return each.param; });
+
+} // namespace
+} // namespace timeshade

@@ -1,0 +1,238 @@
+// What the plan knows about each triangle, and what it may keep from frame to frame.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cases/procedural_scene.h"
+#include "plan/frame_plan.h"
+#include "scene_catalogue.h"
+#include "support/awkward_numbers.h"
+
+namespace timeshade {
+namespace {
+
+class FrameMotion : public testing::Test {
+  protected:
+    FrameMotion() {
+        scene_.lightOpen.position = {0.0, 0.0, 10.0};
+        scene_.lightOpen.outerConeAngle = 0.6;
+        scene_.lightClose = scene_.lightOpen;
+        scene_.cameraOpen = scene_.cameraClose = lookAt({0.0, 0.0, 20.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.6, 0.01);
+    }
+
+    void add(glm::dvec3 from, glm::dvec3 to) { scene_.quads.push_back(slidingQuad(from, to, 0.5, -0.5, 0.5)); }
+    void addTriangle(const MovingCorners& corners) { scene_.triangles.push_back(corners); }
+    static FrameRequest request() { return ProceduralScene::request(32, 32, 2, 64, 1); }
+    FramePlan plan() {
+        scene_.finish();
+        return FramePlanner(scene_).plan(request());
+    }
+    const TriangleMotion& of(const FramePlan& p, std::size_t id) { return (*p.triangles)[id]; }
+
+    ProceduralScene scene_;
+};
+
+TEST_F(FrameMotion, KnowsWhatMovesRelativeToWhat) {
+    add({0, 0, 0}, {0, 0, 0});
+    add({1, 0, 0}, {2, 0, 0});
+    scene_.lightClose.position.x = 1.0;
+    const FramePlan p = plan();
+    EXPECT_FALSE(of(p, 0).movesInWorld);
+    EXPECT_FALSE(of(p, 0).camera.moves);
+    EXPECT_TRUE(of(p, 0).light.moves);  // the light does
+    EXPECT_FALSE(of(p, 0).bends);
+    EXPECT_TRUE(of(p, 2).movesInWorld);
+    EXPECT_TRUE(of(p, 2).camera.moves);
+}
+
+TEST_F(FrameMotion, TellsTurningFromMovingAlong) {
+    addTriangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}});
+    addTriangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}}});
+    const FramePlan p = plan();
+    EXPECT_FALSE(of(p, 0).bends);
+    EXPECT_TRUE(of(p, 1).bends);
+    EXPECT_EQ(p.motion.instances, 2u);
+    EXPECT_EQ(p.motion.movingInstances, 2u);
+    EXPECT_EQ(p.motion.bendingInstances, 1u);
+}
+
+TEST_F(FrameMotion, NamesASideOnlyWhereItIsTheSameThroughout) {
+    const glm::dvec3 a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
+    addTriangle({{a, b, c}, {a, b, c}});
+    addTriangle({{a, c, b}, {a, c, b}});
+    addTriangle({{a, b, c}, {a, b, -c}});  // turns over
+    const FramePlan p = plan();
+    EXPECT_EQ(of(p, 0).light.facing, Facing::Towards);
+    EXPECT_EQ(of(p, 0).camera.facing, Facing::Towards);
+    EXPECT_EQ(of(p, 1).light.facing, Facing::Away);
+    EXPECT_EQ(of(p, 2).light.facing, Facing::Unsure);
+}
+
+TEST_F(FrameMotion, KnowsWhatComesIntoAView) {
+    add({0, 0, 0}, {0, 0, 0});
+    add({60, 0, 0}, {50, 0, 0});
+    add({-60, 0, 0}, {60, 0, 0});  // passes through between the ends
+    add({0, 0, 9.5}, {0, 0, 10.5});  // past the light
+    const FramePlan p = plan();
+    EXPECT_EQ(of(p, 0).light.reach, Reach::Inside);
+    EXPECT_EQ(of(p, 2).light.reach, Reach::Outside);
+    EXPECT_EQ(of(p, 2).camera.reach, Reach::Outside);
+    EXPECT_EQ(of(p, 4).light.reach, Reach::Crossing);
+    EXPECT_TRUE(of(p, 6).light.reachesNearPlane);
+    EXPECT_FALSE(of(p, 0).light.reachesNearPlane);
+}
+
+/// One moving piece that neither view sees, and whose shadow nobody does, is in no list at all.
+TEST_F(FrameMotion, WhatCannotMatterIsInNoList) {
+    add({0, 0, 0}, {0, 0, 0});
+    add({60, 0, 0}, {61, 0, 0});
+    FramePlan p = plan();
+    EXPECT_TRUE(p.casters.nothingMoves());
+    EXPECT_EQ(p.light.moving.count() + p.camera.moving.count(), 0u);
+
+    // Inside the light's cone, but its shadow falls where the camera does not look.
+    scene_.cameraOpen = scene_.cameraClose = lookAt({-3.0, 0.0, 6.0}, {-3.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.3, 0.01);
+    scene_.quads[1] = slidingQuad({3, 0, 2}, {3.5, 0, 2}, 0.5, -0.5, 0.5);
+    p = plan();
+    EXPECT_EQ(of(p, 2).light.reach, Reach::Inside);
+    EXPECT_FALSE(of(p, 2).shadowMayBeSeen);
+    EXPECT_TRUE(p.casters.nothingMoves());
+    EXPECT_EQ(p.light.unseenTriangles, 2u);
+    FrameRequest everything = request();
+    everything.planned = false;
+    const FramePlan all = FramePlanner(scene_).plan(everything);
+    EXPECT_EQ(all.casters.moving.size(), 4u);
+    EXPECT_EQ(all.still.lit, 0u);
+}
+
+/// A point behind a caster that the camera sees is proof that its shadow may be seen.
+TEST(ShadowReach, NeverDropsAShadowThatIsSeen) {
+    AwkwardNumbers numbers(77);
+    const auto point = [&](float size) {
+        const float x = numbers.between(-size, size), y = numbers.between(-size, size), z = numbers.between(-size, size);
+        return glm::dvec3(x, y, z);
+    };
+    int dropped = 0, seen = 0;
+    for (int i = 0; i < 3000; ++i) {
+        ProceduralScene scene;
+        const glm::dvec3 centre = point(3), way = point(1);
+        MovingCorners& corners = scene.triangles.emplace_back();
+        for (int c = 0; c < 3; ++c) {
+            corners.open[c] = centre + 0.5 * point(1);
+            corners.close[c] = centre + way + 0.5 * point(1);
+        }
+        scene.triangles.push_back({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+        scene.cameraOpen = scene.cameraClose = lookAt(point(6), point(2), {0.1, 0.2, 1.0}, 0.6, 0.01);
+        scene.cameraClose.eye += 0.2 * point(1);
+        scene.lightOpen = {};
+        scene.lightOpen.position = point(9);
+        scene.lightClose = scene.lightOpen;
+        scene.lightClose.position += point(1);
+        scene.finish();
+        const FramePlan plan = FramePlanner(scene).plan(ProceduralScene::request(16, 16, 2, 64, 1));
+        const bool kept = (*plan.triangles)[0].shadowMayBeSeen;
+        dropped += kept ? 0 : 1;
+        for (int k = 0; k < 200; ++k) {
+            const double u = static_cast<double>(numbers.unit());
+            double a = static_cast<double>(numbers.unit()), b = static_cast<double>(numbers.unit());
+            if (a + b > 1.0) { a = 1.0 - a; b = 1.0 - b; }
+            const MovingCorners& t = scene.triangles[0];
+            const auto corner = [&](int c) { return glm::mix(t.open[c], t.close[c], u); };
+            const glm::dvec3 p = corner(0) + a * (corner(1) - corner(0)) + b * (corner(2) - corner(0));
+            const glm::dvec3 light = glm::mix(scene.lightOpen.position, scene.lightClose.position, u);
+            const glm::dvec3 behind = p + (p - light) * std::exp2(static_cast<double>(numbers.between(-6.0f, 4.0f)));
+            const glm::dvec3 eye = glm::mix(scene.cameraOpen.eye, scene.cameraClose.eye, u);
+            const glm::dvec3 v = glm::transpose(scene.cameraOpen.axes) * (behind - eye);
+            const double extent = std::tan(0.3) * -v.z;
+            if (!(v.z < 0.0 && std::abs(v.x) <= extent && std::abs(v.y) <= extent)) continue;
+            ++seen;
+            ASSERT_TRUE(kept) << "scene " << i;
+            break;
+        }
+    }
+    EXPECT_GT(dropped, 300);
+    EXPECT_GT(seen, 500);
+}
+
+TEST_F(FrameMotion, VersionsChangeWithWhatStandsStillAndWithNothingElse) {
+    add({0, 0, 0}, {0, 0, 0});
+    add({0, 0, 3}, {1, 0, 3});
+    scene_.finish();
+    FramePlanner planner(scene_);
+    const FramePlan first = planner.plan(request());
+    const auto same = [&](const StillVersions& a, const StillVersions& b) { return a.casters == b.casters && a.samples == b.samples && a.lit == b.lit; };
+    EXPECT_NE(first.still.casters, 0u);
+    EXPECT_NE(first.still.lit, 0u);
+    EXPECT_EQ(first.motion.decidedAnew, 4u);
+    FramePlan next = planner.plan(request());
+    EXPECT_TRUE(same(next.still, first.still));
+    EXPECT_EQ(next.motion.decidedAnew, 0u);
+
+    FrameRequest other = request();
+    other.frame = 0.25;  // the quad is elsewhere; it moves in both frames
+    next = planner.plan(other);
+    EXPECT_TRUE(same(next.still, first.still));
+    EXPECT_EQ(next.motion.decidedAnew, 2u);
+
+    other.seed = 9;  // other camera samples, the same casters
+    next = planner.plan(other);
+    EXPECT_EQ(next.still.casters, first.still.casters);
+    EXPECT_NE(next.still.samples, first.still.samples);
+    EXPECT_NE(next.still.lit, first.still.lit);
+
+    other = request();
+    other.shutter.length = 0.0;  // the quad stands still as well
+    next = planner.plan(other);
+    EXPECT_NE(next.still.casters, first.still.casters);
+    EXPECT_TRUE(next.casters.nothingMoves());
+
+    other.mapSize = 128;
+    EXPECT_NE(planner.plan(other).still.casters, next.still.casters);
+    EXPECT_NE(FramePlanner(scene_).plan(request()).still.casters, first.still.casters) << "another planner may mean another scene";
+
+    other = request();
+    other.keeps = false;
+    EXPECT_EQ(planner.plan(other).still.casters, 0u);
+}
+
+TEST_F(FrameMotion, AnswersAreKeptOnlyUnderALightThatStandsStill) {
+    add({0, 0, 0}, {0, 0, 0});
+    scene_.lightClose.position.x = 0.5;
+    const FramePlan p = plan();
+    EXPECT_EQ(p.still.lit, 0u);
+    EXPECT_NE(p.still.samples, 0u);
+    EXPECT_TRUE(p.casters.still.empty());
+}
+
+TEST_F(FrameMotion, TheMaskHoldsEveryPlaceThatACasterPasses) {
+    add({0, 0, 0}, {0, 0, 0});
+    add({-1, 0.5, 4}, {1, -0.5, 5});
+    const FramePlan p = plan();
+    ASSERT_EQ(p.reached.cells.size(), static_cast<std::size_t>(MovingMask::side * MovingMask::side));
+    EXPECT_GT(p.reached.marked, 0u);
+    EXPECT_LT(p.reached.marked, p.reached.cells.size() / 4);
+    for (double u = 0.0; u <= 1.0; u += 0.01) {
+        for (const glm::dvec3& offset : {glm::dvec3(0, 0, 0), glm::dvec3(0.5, 0.5, 0), glm::dvec3(-0.5, -0.5, 0)}) {
+            const glm::dvec3 place = glm::mix(glm::dvec3(-1, 0.5, 4), glm::dvec3(1, -0.5, 5), u) + offset;
+            const glm::vec3 v(p.light.block.viewFromWorldOpen * glm::vec4(glm::vec3(place - p.origin), 1.0f));
+            const int x = static_cast<int>(v.x / v.z * MovingMask::side), y = static_cast<int>(v.y / v.z * MovingMask::side);
+            EXPECT_EQ(p.reached.cells[static_cast<std::size_t>(y * MovingMask::side + x)], 1) << "u = " << u;
+        }
+    }
+}
+
+TEST(FrameMotionOfScenes, PillarsHaveAMovingLightAndNothingThatDeforms) {
+    const std::unique_ptr<Scene> scene = openScene("pillars", "");
+    FrameRequest request = ProceduralScene::request(64, 48, 2, 64, 1);
+    request.frame = scene->defaults().frame;
+    request.shutter = {scene->defaults().framesPerSecond, scene->defaults().shutterLength, ShutterPosition::Start};
+    const FramePlan plan = FramePlanner(*scene).plan(request);
+    EXPECT_TRUE(plan.motion.lightMoves);
+    EXPECT_EQ(plan.motion.movingTriangles, 0u);
+    EXPECT_EQ(plan.motion.bendingInstances, 0u);
+    EXPECT_EQ(plan.casters.bending, 0u);
+    EXPECT_NE(plan.passes.front().reason.find("the light moves"), std::string::npos);
+}
+
+} // namespace
+} // namespace timeshade
