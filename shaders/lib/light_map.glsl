@@ -31,6 +31,21 @@ MapPoint mapPointOf(Receiver r, float u) {
     return m;
 }
 
+// How fast the depth of the receiver's plane changes at a fixed place of the map.
+float mapDepthRate(MapPoint m, MovingTriangle t, float u) {
+    vec3 a0 = (lightView.viewFromWorldOpen * vec4(t.open0, 1.0)).xyz, d0 = (lightView.viewFromWorldClose * vec4(t.close0, 1.0)).xyz - a0;
+    vec3 a1 = (lightView.viewFromWorldOpen * vec4(t.open1, 1.0)).xyz, d1 = (lightView.viewFromWorldClose * vec4(t.close1, 1.0)).xyz - a1;
+    vec3 a2 = (lightView.viewFromWorldOpen * vec4(t.open2, 1.0)).xyz, d2 = (lightView.viewFromWorldClose * vec4(t.close2, 1.0)).xyz - a2;
+    vec3 v0 = a0 + u * d0, v1 = a1 + u * d1, v2 = a2 + u * d2;
+    vec2 p = m.position;
+#ifdef LIGHT_ORTHOGRAPHIC
+    return depthRateAtPlace(v0.xy - p, v1.xy - p, v2.xy - p, d0.xy, d1.xy, d2.xy, vec3(v0.z, v1.z, v2.z), vec3(d0.z, d1.z, d2.z));
+#else
+    return depthRateAtPlace(v0.xy - p * v0.z, v1.xy - p * v1.z, v2.xy - p * v2.z, d0.xy - p * d0.z, d1.xy - p * d1.z, d2.xy - p * d2.z,
+                            vec3(v0.z, v1.z, v2.z), vec3(d0.z, d1.z, d2.z));
+#endif
+}
+
 // What has to be allowed for before a depth of the map counts as nearer: `bias` texels, and `slopeBias` times the most
 // that the receiver's own plane rises within half a texel of the receiver. Grazing planes are held at 16 texels.
 float depthBias(MapPoint m, float bias, float slopeBias) {

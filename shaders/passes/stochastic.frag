@@ -1,6 +1,6 @@
 // Does the sample of this pixel and stratum lie in the moving triangle at its own time? Exact per sample: the cover
 // drawn by the vertex shader only has to be large enough.
-// OUTPUT_ID: write the triangle's number. OUTPUT_DEPTH_VELOCITY: write how fast the hit point's depth changes.
+// OUTPUT_ID: write the triangle's number. OUTPUT_DEPTH_VELOCITY: write how fast the depth changes that this pixel sees of the triangle.
 #include "lib/blocks.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
@@ -70,6 +70,18 @@ void main() {
 #if defined(OUTPUT_ID)
     outputId = triangleId;
 #elif defined(OUTPUT_DEPTH_VELOCITY)
-    outputDepthVelocity = dot(e, vec3(close0.z - open0.z, close1.z - open1.z, close2.z - open2.z)) / sum;
+    vec3 d0 = close0 - open0.xyz, d1 = close1 - open1, d2 = close2 - open2;
+    vec3 z = vec3(v0.z, v1.z, v2.z), zRate = vec3(d0.z, d1.z, d2.z);
+#ifdef VIEW_ORTHOGRAPHIC
+    float rate = depthRateAtPlace(v0.xy - position, v1.xy - position, v2.xy - position, d0.xy, d1.xy, d2.xy, z, zRate);
+#else
+    float rate = depthRateAtPlace(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z, d0.xy - position * d0.z,
+                                  d1.xy - position * d1.z, d2.xy - position * d2.z, z, zRate);
+#endif
+    // Within the stratum the depth can't change by more than the vertices' depths differ in it.
+    float begin = frame.timeBase + float(stratum) * frame.timeScale - u, end = begin + frame.timeScale;
+    vec3 first = z + begin * zRate, last = z + end * zRate, low = min(first, last), high = max(first, last);
+    float most = max(max(high.x, high.y), high.z) - min(min(low.x, low.y), low.z);
+    outputDepthVelocity = clamp(rate, -most / frame.timeScale, most / frame.timeScale);
 #endif
 }

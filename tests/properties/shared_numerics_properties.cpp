@@ -187,6 +187,32 @@ bool edgeFunctionsAreWithinTheirBound(AwkwardNumbers& numbers) {
     return e.z == -f.z && std::abs(static_cast<double>(e.z) - (first - second)) <= std::ldexp(2.0 * (std::abs(first) + std::abs(second)), -24) + 1e-37;
 }
 
+/// The depth at which the ray through (0, 0) of an orthographic view meets a triangle's plane, in double precision, at time u.
+double depthAt(const dvec3 (&v)[3], const dvec3 (&rate)[3], double u) {
+    const dvec3 a = v[0] + u * rate[0], n = glm::cross(v[1] + u * rate[1] - a, v[2] + u * rate[2] - a);
+    return glm::dot(n, a) / n.z;
+}
+
+/// Against a difference quotient, for planes that the ray does not graze.
+bool depthRateIsTheDerivative(AwkwardNumbers& numbers) {
+    vec3 v[3], rate[3];
+    dvec3 exact[3], exactRate[3];
+    for (int i = 0; i < 3; ++i) {
+        v[i] = {numbers.between(-1.0f, 1.0f), numbers.between(-1.0f, 1.0f), numbers.between(1.0f, 3.0f)};
+        rate[i] = {numbers.between(-1.0f, 1.0f), numbers.between(-1.0f, 1.0f), numbers.between(-1.0f, 1.0f)};
+        exact[i] = dvec3(v[i]);
+        exactRate[i] = dvec3(rate[i]);
+    }
+    const vec3 e = shared::edgeFunctions({v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y});
+    const double sum = static_cast<double>(e.x + e.y + e.z);
+    if (std::abs(sum) < 0.1) return true;
+    const double got = static_cast<double>(shared::depthRateAtPlace({v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}, {rate[0].x, rate[0].y},
+                                                                    {rate[1].x, rate[1].y}, {rate[2].x, rate[2].y}, {v[0].z, v[1].z, v[2].z},
+                                                                    {rate[0].z, rate[1].z, rate[2].z}));
+    const double h = 1e-5, wanted = (depthAt(exact, exactRate, h) - depthAt(exact, exactRate, -h)) / (2.0 * h);
+    return std::abs(got - wanted) <= 2e-5 / (sum * sum);
+}
+
 bool timesStayInTheirStratum(AwkwardNumbers& numbers) {
     const std::uint32_t strata = 1 + numbers.below(32), k = numbers.below(strata), seed = numbers.word();
     const vec3 p = shared::samplePattern({numbers.below(16384), numbers.below(16384)}, k, seed, numbers.oneIn(2) ? SALT_CAMERA : SALT_LIGHT);
@@ -208,6 +234,7 @@ TEST(Volume, Cubics) {
     EXPECT_EQ(firstFailure(3000000, 4, [](AwkwardNumbers& n) { const vec4 b = awkwardCubic(n); return cubicIsRight(b, n); }), -1);
 }
 TEST(Volume, EdgeFunctions) { EXPECT_EQ(firstFailure(4000000, 5, edgeFunctionsAreWithinTheirBound), -1); }
+TEST(Volume, DepthRates) { EXPECT_EQ(firstFailure(2000000, 8, depthRateIsTheDerivative), -1); }
 TEST(Volume, SampleTimes) { EXPECT_EQ(firstFailure(4000000, 6, timesStayInTheirStratum), -1); }
 
 // The same properties for inputs that RapidCheck makes and, where one fails, shrinks: whole numbers over powers of two.

@@ -20,8 +20,8 @@ void TsmShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
                    "Further bias in proportion to how steeply the surface falls away from the light.");
     visitor.toggle("dynamic_bias", dynamicBias_, false,
-                   "Moves each map depth along its own velocity to the receiver's time before the test (Andersson et al. "
-                   "2015, eq. 12). Ends the self-shadow; costs one more map of velocities.");
+                   "Compares map and receiver at both of their times: each depth is moved at its own rate to the other's time (after "
+                   "Andersson et al. 2015, eq. 12). Ends the self-shadow; costs one more map of rates.");
 }
 
 SamplingTraits TsmShadow::samplingTraits() const {
@@ -80,7 +80,7 @@ void TsmShadow::lookup(const TechniqueFrame& frame) {
     frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
         for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
         if (depth_) defines.emplace_back("MOVING_CASTERS", "1");
-        if (velocity_) defines.emplace_back("DYNAMIC_BIAS", "1");
+        if (dynamicBias_) defines.emplace_back("DYNAMIC_BIAS", "1");
         const gl::Program& program = programs_.get({"tsm lookup", "passes/fullscreen.vert", "techniques/tsm/lookup.frag", defines});
         program.use();
         glUniform1f(2, bias_);

@@ -13,6 +13,9 @@ namespace timeshade {
 /// layer of its own stratum. The times differ by up to 1/N of the shutter, 1/(3N) in the mean. Without the dynamic bias a
 /// receiver that approaches the light at v per shutter shadows itself on 1/2 (1 - bias N / v)^2 of its samples. What stands still in
 /// the light's frame has the same depth at all times: it is in one map beside the layers.
+/// The dynamic bias departs from equation 12 of Andersson et al. 2015 in two ways, without which a body that turns or slides along its own
+/// slopes still shadows itself: the map holds the rate at which the depth over the texel changes, not the velocity of the point that is there;
+/// and the receiver is compared at the map's time, too, since two surfaces that do not pass through each other keep their order.
 class TsmShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();

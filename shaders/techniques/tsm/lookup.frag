@@ -1,7 +1,8 @@
 // Time-dependent shadow maps: the map's layer of the receiver's own stratum of time, whose texel was drawn at a random
 // time of that stratum. The two times differ, by a third of a stratum in the mean: the technique's known error. What stands still in the
 // light's frame is in a map of its own.
-// DYNAMIC_BIAS: the map's depth is moved along its own velocity to the receiver's time (Andersson 2015, equation 12).
+// DYNAMIC_BIAS: the two are compared at both times. The map's depth is moved to the receiver's time (Andersson 2015, equation 12, with the rate
+// at which the texel's depth changes in the place of the material point's velocity), and the receiver's to the map's.
 // MOVING_CASTERS: there are such.
 #include "lib/lookup.glsl"
 
@@ -17,17 +18,22 @@ float litOf(MovingTriangle t, Receiver r) {
     MapPoint m = mapPointOf(r, r.time);
     ivec2 texel = ivec2(floor(m.position * lightView.size));
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(lightView.size)))) return 1.0;
-    float depth = m.depth - depthBias(m, bias, slopeBias);
-    float lit = depth > mapDistance(texelFetch(stillMap, ivec3(texel, 0), 0).x) ? 0.0 : 1.0;
-#if defined(MOVING_CASTERS) && !defined(STILL_CASTERS_ALONE)
-    float casterDepth = mapDistance(texelFetch(depthMap, ivec3(texel, stratum), 0).x);
+    float limit = m.depth - depthBias(m, bias, slopeBias), atCastersTime = limit;
 #ifdef DYNAMIC_BIAS
-    float casterTime = sampleTime(frame.timeBase, frame.timeScale, stratum, samplePattern(uvec2(texel), stratum, frame.seed, SALT_LIGHT).z);
-    casterDepth += texelFetch(velocityMap, ivec3(texel, stratum), 0).x * (r.time - casterTime);
+    // Two surfaces that do not pass through each other lie in the same order at both times. A curved one that is compared with itself may
+    // seem to lie above itself at one of them, where its plane is carried on too far, but not at both.
+    float later = r.time - sampleTime(frame.timeBase, frame.timeScale, stratum, samplePattern(uvec2(texel), stratum, frame.seed, SALT_LIGHT).z);
+    atCastersTime -= mapDepthRate(m, t, r.time) * later;
 #endif
-    if (depth > casterDepth) lit = 0.0;
+    bool shadowed = min(limit, atCastersTime) > mapDistance(texelFetch(stillMap, ivec3(texel, 0), 0).x);
+#if defined(MOVING_CASTERS) && !defined(STILL_CASTERS_ALONE)
+    float casterDepth = mapDistance(texelFetch(depthMap, ivec3(texel, stratum), 0).x), atReceiversTime = casterDepth;
+#ifdef DYNAMIC_BIAS
+    atReceiversTime += texelFetch(velocityMap, ivec3(texel, stratum), 0).x * later;
 #endif
-    return lit;
+    shadowed = shadowed || (limit > atReceiversTime && atCastersTime > casterDepth);
+#endif
+    return shadowed ? 0.0 : 1.0;
 }
 
 #include "lib/lookup_main.glsl"
