@@ -1,5 +1,6 @@
 #include "cases/changed_scene.h"
 
+#include <optional>
 #include <utility>
 
 namespace timeshade {
@@ -54,6 +55,40 @@ double ChangedScene::heldCloseSeconds(double openSeconds, double closeSeconds) c
 MotionMesh withCornersTurned(MotionMesh mesh) {
     auto topology = std::make_shared<MeshTopology>(*mesh.topology);
     for (glm::u32vec3& t : topology->triangles) t = {t.y, t.z, t.x};
+    mesh.topology = topology;
+    return mesh;
+}
+
+namespace {
+
+/// t turned so that its first corner is the one that s does not have; nothing if they do not share just two.
+std::optional<glm::u32vec3> turnedAwayFrom(const glm::u32vec3& s, glm::u32vec3 t) {
+    const auto has = [&s](std::uint32_t v) { return v == s.x || v == s.y || v == s.z; };
+    for (int i = 0; i < 3; ++i, t = {t.y, t.z, t.x})
+        if (!has(t.x) && has(t.y) && has(t.z)) return t;
+    return std::nullopt;
+}
+
+bool isParallelogram(const std::vector<glm::dvec3>& positions, const glm::u32vec4& v) {
+    const glm::dvec3 across = positions[v.x] + positions[v.z], other = positions[v.y] + positions[v.w];
+    return glm::length(across - other) <= 1e-9 * glm::length(positions[v.x] - positions[v.z]);
+}
+
+} // namespace
+
+MotionMesh withDiagonalsTurned(MotionMesh mesh) {
+    auto topology = std::make_shared<MeshTopology>(*mesh.topology);
+    std::vector<glm::u32vec3>& triangles = topology->triangles;
+    for (std::size_t i = 0; i + 1 < triangles.size(); ++i) {
+        const auto first = turnedAwayFrom(triangles[i + 1], triangles[i]), second = turnedAwayFrom(triangles[i], triangles[i + 1]);
+        // The same side up: their common edge goes one way in one and the other way in the other.
+        if (!first || !second || first->y != second->z || first->z != second->y) continue;
+        const glm::u32vec4 around(first->x, first->y, second->x, first->z);
+        if (!isParallelogram(mesh.positionsOpen, around) || !isParallelogram(mesh.positionsClose, around)) continue;
+        triangles[i] = {around.x, around.y, around.z};
+        triangles[i + 1] = {around.x, around.z, around.w};
+        ++i;
+    }
     mesh.topology = topology;
     return mesh;
 }

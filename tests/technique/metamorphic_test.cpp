@@ -130,6 +130,15 @@ TEST_P(Metamorphic, TheSameSurfaceOtherwiseCut) {
     // A technique that carries a triangle's edge on across the texel carries on another edge then: within its own error, a few per mille here.
     const double allowed = technique_->samplingTraits().extendsToReceiver ? 5000.0 : 3.0 * allowedPpm;
     EXPECT_LE(ppmOf(ChangedScene(scene_, {}, subdivided)), allowed) << "each triangle in four";
+    EXPECT_LE(ppmOf(ChangedScene(scene_, {}, withDiagonalsTurned)), allowed) << "quads cut along the other diagonal";
+}
+
+TEST(OtherDiagonal, IsTurnedInEveryQuadOnce) {
+    const std::shared_ptr<const Scene> scene = sceneOf("random1");
+    const MotionMesh mesh = scene->motionMesh(0.0, 1.0), turned = withDiagonalsTurned(mesh);
+    ASSERT_EQ(turned.topology->triangles.size(), mesh.topology->triangles.size());
+    for (std::size_t i = 0; i < turned.topology->triangles.size(); ++i) EXPECT_NE(turned.topology->triangles[i], mesh.topology->triangles[i]);
+    EXPECT_NE(withDiagonalsTurned(sceneOf("pillars")->motionMesh(0.0, 0.02)).topology->triangles, sceneOf("pillars")->motionMesh(0.0, 0.02).topology->triangles);
 }
 
 TEST_P(Metamorphic, TimeBackwardsAndInHalves) {
