@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 
 #include "cases/changed_scene.h"
@@ -52,8 +54,11 @@ std::shared_ptr<const Scene> sceneOf(const std::string& name) {
     return scene;
 }
 
+/// With TIMESHADE_FULL_SIZE set: pictures as the program draws them when it is asked for nothing else. Takes minutes.
+bool atFullSize() { return std::getenv("TIMESHADE_FULL_SIZE") != nullptr; }
+
 FrameRequest requestOf(const Scene& scene) {
-    FrameRequest request = ProceduralScene::request(96, 72, 4, 256, 5);
+    FrameRequest request = atFullSize() ? FrameRequest{} : ProceduralScene::request(96, 72, 4, 256, 5);
     request.shutter = {scene.defaults().framesPerSecond, scene.defaults().shutterLength, ShutterPosition::Start};
     request.frame = scene.defaults().frame;
     return request;
@@ -101,7 +106,11 @@ class Metamorphic : public testing::TestWithParam<Parameters> {
         if (supported_) original_ = draw(*scene_, request_, *technique_);
     }
     /// Only the last render of several is compared sample by sample; it has as good a time as any.
-    double ppmOf(const Scene& changed) { return changedPpm(original_, draw(changed, request_, *technique_)); }
+    double ppmOf(const Scene& changed) {
+        const double ppm = changedPpm(original_, draw(changed, request_, *technique_));
+        if (atFullSize()) std::printf("%s %s: %.1f ppm\n", std::get<0>(GetParam()).c_str(), std::get<1>(GetParam()).c_str(), ppm);
+        return ppm;
+    }
 
     std::unique_ptr<Technique> technique_;
     std::shared_ptr<const Scene> scene_;
