@@ -39,7 +39,8 @@ SHARED_FUNCTION float refinedRoot(vec4 b, float low, float high, bool positiveAt
             low = t;
         else
             high = t;
-        float next = t - value / (SHARED_FLOAT(3.0) * cubicSlopeAt(b, t));
+        float slope = SHARED_FLOAT(3.0) * cubicSlopeAt(b, t);
+        float next = slope != SHARED_FLOAT(0.0) ? t - value / slope : low;
         // Newton's steps may creep towards a flat root from one side: every fourth is a halving.
         if (!(next > low && next < high) || (i & 3) == 3) next = SHARED_FLOAT(0.5) * (low + high);
         float step = abs(next - t);

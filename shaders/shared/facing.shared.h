@@ -32,9 +32,12 @@ SHARED_FUNCTION SignChanges signChangesOfQuadratic(float b0, float b1, float b2)
         SHARED_PRECISE float q = -(b1 + (b1 < SHARED_FLOAT(0.0) ? -sqrt(discriminant) : sqrt(discriminant)));
         // Of opposite ends, one root is in (0, 1): the one whose s is positive.
         bool farRoot = (q > SHARED_FLOAT(0.0)) == (b2 > SHARED_FLOAT(0.0));
+        if (opposite) {  // the other may lie at infinity, where it would be a division by 0
+            SHARED_PRECISE float t = farRoot ? q / (q + b2) : b0 / (b0 + q);
+            return SignChanges(1u, t, SHARED_FLOAT(0.0));
+        }
         SHARED_PRECISE float t1 = q / (q + b2);
         SHARED_PRECISE float t2 = b0 / (b0 + q);
-        if (opposite) return SignChanges(1u, farRoot ? t1 : t2, SHARED_FLOAT(0.0));
         return SignChanges(2u, min(t1, t2), max(t1, t2));
     }
     // An end that is 0 leaves a linear factor: t (2 b1 (1-t) + b2 t), or its mirror image.
