@@ -14,7 +14,7 @@ const TechniqueDescription& TsmShadow::describe() {
 }
 
 void TsmShadow::visitSettings(SettingsVisitor& visitor) {
-    visitor.number("bias", bias_, 0.25, 0.0, 64.0, "texels",
+    visitor.number("bias", bias_, 0.5, 0.0, 64.0, "texels",
                    "How much nearer to the light a caster must be before it counts. Hides the self-shadow of receivers "
                    "that approach the light, and with it real contacts.");
     visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",

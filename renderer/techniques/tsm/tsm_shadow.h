@@ -32,7 +32,7 @@ class TsmShadow final : public Technique {
 
   private:
     gl::ProgramCache& programs_;
-    float bias_ = 0.25f, slopeBias_ = 1.0f;
+    float bias_ = 0.5f, slopeBias_ = 1.0f;
     bool dynamicBias_ = false;
     std::optional<StochasticRasterizer> rasterizer_;
     std::optional<gl::Texture> depth_, velocity_;
