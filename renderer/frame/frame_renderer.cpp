@@ -112,7 +112,7 @@ bool FrameRenderer::step() {
         samplePass_.draw(render, mesh_, *samples_);
     }
     const TechniqueFrame frame{render,  mesh_,  *samples_,   *visibility_, fullscreen_,
-                               timer_, lookupPass_, samplePass_.stillIds(render, *samples_),
+                               timer_, lookupPass_, samplePass_.stillIds(render, *samples_), samplePass_.touched(render),
                                render.still.lit == 0 ? 0 : mixed(techniqueKey_, render.still.lit) | 1};
     {
         const auto timed = timer_.scope("build");

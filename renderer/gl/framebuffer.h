@@ -19,6 +19,8 @@ class Framebuffer : public Object<DeleteFramebuffer> {
     /// Attaches one layer of an array (or the only image of a 2D texture). `attachment` is GL_COLOR_ATTACHMENT0.. or
     /// GL_DEPTH_ATTACHMENT.
     void attach(GLenum attachment, const Texture& texture, int layer = 0) const;
+    /// Takes an attachment away: one that stays keeps its texture's memory and bounds what can be drawn.
+    void detach(GLenum attachment) const { glNamedFramebufferTexture(name(), attachment, 0, 0); }
     /// Colour attachments 0..count-1 are written; 0 for depth only.
     void setColorCount(int count) const;
     /// Makes it the target of drawing, with a viewport of the given size. Asserts that it is complete.

@@ -79,12 +79,14 @@ void Texture::setWrap(GLenum mode) const {
 
 std::size_t bytesPerTexel(GLenum internalFormat) {
     switch (internalFormat) {
-    case GL_R8: return 1;
+    case GL_R8:
+    case GL_R8UI: return 1;
     case GL_R32UI:
     case GL_R32F:
     case GL_RGBA8:
     case GL_SRGB8_ALPHA8:
     case GL_DEPTH_COMPONENT32F: return 4;
+    case GL_RGBA16F:
     case GL_RG32UI:
     case GL_RG32F: return 8;
     case GL_RGBA32UI:

@@ -16,6 +16,7 @@ void SamplePass::dropKept() {
     kept_ = 0;
     keptIds_.reset();
     keptDepth_.reset();
+    touched_.reset();
 }
 
 void SamplePass::draw(const FramePlan& plan, const GpuMesh& mesh, const SampleBuffer& samples) {
@@ -38,11 +39,12 @@ void SamplePass::drawKept(const FramePlan& plan, const GpuMesh& mesh, const Samp
     if (!keptIds_) {
         keptIds_ = gl::Texture::array2D("still sample ids", GL_R32UI, ids.width(), ids.height(), ids.layers());
         keptDepth_ = gl::Texture::array2D("still sample depth", GL_DEPTH_COMPONENT32F, ids.width(), ids.height(), ids.layers());
+        touched_ = gl::Texture::image2D("touched pixels", GL_R8, ids.width(), ids.height());
     }
     if (kept_ != plan.still.samples)
         StochasticRasterizer(programs_).draw(mesh, plan.camera, {&plan.camera.still}, camera, numbers, plan.block.strata, &*keptIds_, *keptDepth_);
     kept_ = plan.still.samples;
-    const StochasticRasterizer::Start start{*keptIds_, *keptDepth_};
+    const StochasticRasterizer::Start start{*keptIds_, *keptDepth_, *touched_};
     rasterizer_.draw(mesh, plan.camera, {&plan.camera.moving}, camera, numbers, plan.block.strata, &ids, *depth_, &start);
 }
 
@@ -54,7 +56,7 @@ const gl::Texture* SamplePass::stillIds(const FramePlan& plan, const SampleBuffe
 
 std::size_t SamplePass::bytes() const {
     std::size_t sum = rasterizer_.bytes();
-    for (const auto* texture : {&depth_, &keptIds_, &keptDepth_}) sum += *texture ? (*texture)->bytes() : 0;
+    for (const auto* texture : {&depth_, &keptIds_, &keptDepth_, &touched_}) sum += *texture ? (*texture)->bytes() : 0;
     return sum;
 }
 

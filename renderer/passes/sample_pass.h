@@ -17,6 +17,8 @@ class SamplePass {
     void draw(const FramePlan& plan, const GpuMesh& mesh, const SampleBuffer& samples);
     /// What the camera sees of what stands still alone; null where that is not known. `samples` as drawn last.
     const gl::Texture* stillIds(const FramePlan& plan, const SampleBuffer& samples) const;
+    /// Where something that moves is seen in any stratum: R8, 0 elsewhere. Null where nothing moves before the camera.
+    const gl::Texture* touched(const FramePlan& plan) const { return plan.camera.moving.empty() || !touched_ ? nullptr : &*touched_; }
     /// The buffers are others, or were drawn into by someone else.
     void forget();
     std::size_t bytes() const;
@@ -28,7 +30,7 @@ class SamplePass {
     gl::ProgramCache& programs_;
     StochasticRasterizer rasterizer_;
     std::optional<gl::Texture> depth_;
-    std::optional<gl::Texture> keptIds_, keptDepth_;
+    std::optional<gl::Texture> keptIds_, keptDepth_, touched_;
     std::uint64_t seen_ = 0;   ///< FramePlan::still.samples of the frame before
     std::uint64_t drawn_ = 0;  ///< of what the sample buffer holds, where nothing else is in it
     std::uint64_t kept_ = 0;   ///< of what is kept

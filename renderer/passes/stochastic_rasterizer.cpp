@@ -49,7 +49,8 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, std::
                                 Output output, std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth, const Start* start) {
     uploaded_.resize(lists.size());
     for (std::size_t i = 0; i < lists.size(); ++i) upload(uploaded_[i], *lists.begin()[i]);
-    const gl::ShaderDefines defines = definesFor(view, role, output);
+    gl::ShaderDefines defines = definesFor(view, role, output);
+    if (start) defines.emplace_back("OUTPUT_TOUCHED", "1");
     const gl::Program& points =
         programs_.get({"stochastic points", "passes/stochastic_points.vert", "passes/stochastic.frag", defines});
     const gl::Program& rectangles =
@@ -61,7 +62,12 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, std::
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glEnable(GL_PROGRAM_POINT_SIZE);
-    target_.setColorCount(color ? 1 : 0);
+    target_.setColorCount(start ? 2 : color ? 1 : 0);
+    if (start) {
+        const GLfloat nothing = 0.0f;
+        glClearTexImage(start->touched.name(), 0, GL_RED, GL_FLOAT, &nothing);
+        target_.attach(GL_COLOR_ATTACHMENT1, start->touched);
+    }
     for (std::uint32_t stratum = 0; stratum < strata; ++stratum) {
         const int layer = static_cast<int>(stratum), depthLayer = depth.layers() > 1 ? layer : 0;
         if (start) {
@@ -89,6 +95,7 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, std::
             }
         }
     }
+    if (start) target_.detach(GL_COLOR_ATTACHMENT1);
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -20,10 +20,12 @@ class StochasticRasterizer {
 
     explicit StochasticRasterizer(gl::ProgramCache& programs);
 
-    /// What the layers hold before anything is drawn, instead of nothing: the same layers of other textures.
+    /// What the layers hold before anything is drawn, instead of nothing: the same layers of other textures. `touched` (R8, one layer for all
+    /// strata) gets 1 where anything is drawn onto that.
     struct Start {
         const gl::Texture& color;
         const gl::Texture& depth;
+        const gl::Texture& touched;
     };
 
     /// Draws the lists in turn. `color` (one layer a stratum, if the output has one) and `depth` (one layer a stratum, or one layer used

@@ -49,7 +49,7 @@ void LookupPass::drawStrata(const TechniqueFrame& frame, const gl::Program& prog
     target.setColorCount(cells ? 2 : 1);
     for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {
         target.attach(GL_COLOR_ATTACHMENT0, lit, static_cast<int>(stratum));
-        if (cells) target.attach(GL_COLOR_ATTACHMENT1, *cells, static_cast<int>(stratum));
+        if (cells) target.attach(GL_COLOR_ATTACHMENT1, *cells);
         target.bindForDrawing(lit.width(), lit.height());
         glUniform1ui(0, stratum);
         frame.fullscreen.draw(program);
@@ -60,10 +60,18 @@ void LookupPass::keep(const TechniqueFrame& frame, const ProgramFor& programFor)
     const gl::Texture& lit = frame.visibility.lit();
     if (!keptLit_ || keptLit_->width() != lit.width() || keptLit_->height() != lit.height() || keptLit_->layers() != lit.layers()) {
         keptLit_ = gl::Texture::array2D("kept answers", GL_R32F, lit.width(), lit.height(), lit.layers());
-        keptCells_ = gl::Texture::array2D("kept cells", GL_R16UI, lit.width(), lit.height(), lit.layers());
+        keptCells_ = gl::Texture::image2D("kept cells", GL_RGBA16F, lit.width(), lit.height());
     }
     if (!keepTarget_) keepTarget_.emplace("kept answers target");
-    drawStrata(frame, programFor({{"STILL_CASTERS_ALONE", "1"}, {"KEEP_STILL", "1"}}), *keepTarget_, *frame.stillIds, *keptLit_, &*keptCells_);
+    // Of the cells the least of all strata is kept.
+    const GLfloat none[4] = {NO_CELL, NO_CELL, NO_CELL, NO_CELL};
+    glClearTexImage(keptCells_->name(), 0, GL_RGBA, GL_FLOAT, none);
+    const gl::Program& program = programFor({{"STILL_CASTERS_ALONE", "1"}, {"KEEP_STILL", "1"}});
+    glEnablei(GL_BLEND, 1);
+    glBlendEquationi(1, GL_MIN);
+    drawStrata(frame, program, *keepTarget_, *frame.stillIds, *keptLit_, &*keptCells_);
+    glBlendEquationi(1, GL_FUNC_ADD);
+    glDisablei(GL_BLEND, 1);
 }
 
 void LookupPass::drawReached(const TechniqueFrame& frame, const ProgramFor& programFor) {
@@ -76,39 +84,39 @@ void LookupPass::drawReached(const TechniqueFrame& frame, const ProgramFor& prog
     const std::vector<std::uint8_t> nowhere(frame.plan.reached.cells.empty() ? std::size_t{side} * side : 0);
     glTextureSubImage2D(reached_->name(), 0, 0, 0, side, side, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
                         nowhere.empty() ? frame.plan.reached.cells.data() : nowhere.data());
-    // Two passes a stratum: the first marks the samples that are asked for in a depth buffer, so that the second, the technique's own, is not
-    // even begun for the others.
-    const gl::Program& marking = programs_.get({"reached samples", "passes/fullscreen.vert", "passes/reached.frag", {}});
+    // First the pixels that are asked for are marked in a depth buffer, so that the technique's own program is not even begun for the others.
+    gl::ShaderDefines defines;
+    if (frame.touched) defines.emplace_back("MOVING_SEEN", "1");
+    const gl::Program& marking = programs_.get({"reached pixels", "passes/fullscreen.vert", "passes/reached.frag", defines});
     const gl::Program& asking = programFor({});
     if (!depth_ || depth_->width() != lit.width() || depth_->height() != lit.height()) {
-        depth_ = gl::Texture::array2D("reached samples", GL_DEPTH_COMPONENT32F, lit.width(), lit.height(), 1);
-        reachedTarget_.emplace("reached samples target");
+        depth_ = gl::Texture::array2D("reached pixels", GL_DEPTH_COMPONENT32F, lit.width(), lit.height(), 1);
+        reachedTarget_.emplace("reached pixels target");
         reachedTarget_->attach(GL_DEPTH_ATTACHMENT, *depth_);
     }
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    frame.stillIds->bind(KEPT_IDS_UNIT);
+    if (frame.touched) frame.touched->bind(TOUCHED_UNIT);
     keptCells_->bind(KEPT_CELLS_UNIT);
     reached_->bind(REACHED_UNIT);
     glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_ALWAYS);
+    reachedTarget_->setColorCount(0);
+    reachedTarget_->bindForDrawing(lit.width(), lit.height());
+    const float unmarked = 1.0f;
+    glClearNamedFramebufferfv(reachedTarget_->name(), GL_DEPTH, 0, &unmarked);
+    frame.fullscreen.draw(marking);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    reachedTarget_->setColorCount(1);
+    asking.use();
     for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {
-        reachedTarget_->setColorCount(0);
-        reachedTarget_->bindForDrawing(lit.width(), lit.height());
-        const float unmarked = 1.0f;
-        glDepthMask(GL_TRUE);
-        glClearNamedFramebufferfv(reachedTarget_->name(), GL_DEPTH, 0, &unmarked);
-        glDepthFunc(GL_ALWAYS);
-        marking.use();
-        glUniform1ui(0, stratum);
-        frame.fullscreen.draw(marking);
         reachedTarget_->attach(GL_COLOR_ATTACHMENT0, lit, static_cast<int>(stratum));
-        reachedTarget_->setColorCount(1);
         reachedTarget_->bindForDrawing(lit.width(), lit.height());
-        glDepthMask(GL_FALSE);
-        glDepthFunc(GL_EQUAL);
-        asking.use();
         glUniform1ui(0, stratum);
         frame.fullscreen.draw(asking);
     }
+    reachedTarget_->detach(GL_COLOR_ATTACHMENT0);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_GREATER);
     glDisable(GL_DEPTH_TEST);

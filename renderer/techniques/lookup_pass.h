@@ -15,7 +15,8 @@ struct TechniqueFrame;
 /// Draws a technique's lookup (shaders/lib/lookup.glsl) over the visibility buffer, once a stratum, and asks no question twice:
 /// - where nothing moves and the frame is the one before, the buffer holds the answers already;
 /// - where camera and light stand still, answers about still receivers that no moving caster can reach are kept from the
-///   second such frame on (one float and one cell number a sample), and only the others are asked for.
+///   second such frame on (one float a sample, and the cells of the light's map that a pixel's samples lie in), and only the other pixels are
+///   asked for.
 /// What is drawn is the same to the last bit in either case.
 class LookupPass {
   public:

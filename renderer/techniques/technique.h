@@ -34,6 +34,7 @@ struct TechniqueFrame {
     gl::PassTimer& timer;  ///< for steps inside build and lookup, named "build/..." and "lookup/..."
     LookupPass& lookup;    ///< how a lookup is drawn that asks each sample for itself
     const gl::Texture* stillIds = nullptr;  ///< samples of what stands still alone, layers as in `samples`; null where it is not known
+    const gl::Texture* touched = nullptr;  ///< R8: pixels in which something that moves is seen; null where there is none
     std::uint64_t stillAnswers = 0;  ///< equal in two frames: still receivers and still casters give the same answers, by this technique too
 };
 

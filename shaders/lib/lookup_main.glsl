@@ -1,11 +1,12 @@
-// KEEP_STILL: asks about what stands still, by casters that do, and keeps where in the light's map each sample is.
+// KEEP_STILL: asks about what stands still, by casters that do, and says where in the light's map each sample is: cell x and y, and what is left
+// beyond them, so that the least of all samples bounds a pixel.
 layout(location = 0) out float outputLit;
 #ifdef KEEP_STILL
-layout(location = 1) out uint outputCell;
+layout(location = 1) out vec4 outputCells;
 
-uint cellOf(Receiver r) {
-    ivec2 place = clamp(ivec2(floor(mapPointOf(r, r.time).position * float(REACHED_SIDE))), ivec2(0), ivec2(REACHED_SIDE - 1));
-    return uint(place.y * REACHED_SIDE + place.x);
+vec4 cellsOf(Receiver r) {
+    vec2 cell = clamp(floor(mapPointOf(r, r.time).position * float(REACHED_SIDE)), vec2(0.0), vec2(REACHED_SIDE - 1));
+    return vec4(cell, float(REACHED_SIDE - 1) - cell);
 }
 #endif
 
@@ -14,7 +15,7 @@ void main() {
     uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
     outputLit = 1.0;
 #ifdef KEEP_STILL
-    outputCell = NO_CELL;
+    outputCells = vec4(NO_CELL);
 #endif
     if (id == NO_TRIANGLE) return;
     MovingTriangle t = fetchTriangle(id);
@@ -23,6 +24,6 @@ void main() {
     if (!facesLight(r)) return;
     outputLit = litOf(t, r);
 #ifdef KEEP_STILL
-    outputCell = cellOf(r);
+    outputCells = cellsOf(r);
 #endif
 }

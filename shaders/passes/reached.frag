@@ -1,17 +1,30 @@
-// Where a kept answer may be another by now: another triangle is seen than what stands still, or something that moves may come
-// between it and the light. Everything else is discarded; what is left lets the technique's own lookup through, by the depth test.
+// Pixels in which a kept answer may be another by now: something that moves is seen in one of its samples, or may come between one of them and
+// the light. All others are discarded; what is left lets the technique's own lookup through, by the depth test.
+// MOVING_SEEN: there may be such.
 #include "lib/blocks.glsl"
 
-layout(binding = SAMPLE_IDS_UNIT) uniform usampler2DArray sampleIds;
-layout(binding = KEPT_IDS_UNIT) uniform usampler2DArray keptIds;
-layout(binding = KEPT_CELLS_UNIT) uniform usampler2DArray keptCells;
+#ifdef MOVING_SEEN
+layout(binding = TOUCHED_UNIT) uniform sampler2D touched;
+#endif
+layout(binding = KEPT_CELLS_UNIT) uniform sampler2D keptCells;
 layout(binding = REACHED_UNIT) uniform usampler2D reachedCells;
-layout(location = 0) uniform uint stratum;
+
+const int LARGEST_WALK = 16;  // cells along a side: a pixel on a silhouette may hold places far apart
+
+bool reached(vec4 bounds) {
+    if (bounds.x >= NO_CELL) return false;
+    ivec2 low = ivec2(bounds.xy), extent = ivec2(REACHED_SIDE) - ivec2(bounds.zw) - low;
+    if (max(extent.x, extent.y) > LARGEST_WALK) return true;
+    uint any = 0u;
+    for (int i = 0; i < extent.x * extent.y; ++i) any |= texelFetch(reachedCells, low + ivec2(i % extent.x, i / extent.x), 0).x;
+    return any != 0u;
+}
 
 void main() {
-    ivec3 at = ivec3(gl_FragCoord.xy, stratum);
-    uint cell = texelFetch(keptCells, at, 0).x;
-    ivec2 place = cell == NO_CELL ? ivec2(0) : ivec2(cell % REACHED_SIDE, cell / REACHED_SIDE);
-    bool reached = cell != NO_CELL && texelFetch(reachedCells, place, 0).x != 0u;
-    if (!reached && texelFetch(sampleIds, at, 0).x == texelFetch(keptIds, at, 0).x) discard;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    bool asked = reached(texelFetch(keptCells, pixel, 0));
+#ifdef MOVING_SEEN
+    asked = asked || texelFetch(touched, pixel, 0).x != 0.0;
+#endif
+    if (!asked) discard;
 }

@@ -28,8 +28,8 @@
 #define COLOR_IMAGES_UNIT 10        // 2D array of base colour images, sRGB
 #define DATA_IMAGES_UNIT 11         // 2D array of metallic-roughness images, linear
 // Of a lookup that keeps answers from frame to frame; the first two are other passes' own in between.
-#define KEPT_IDS_UNIT 3             // R32UI array: what stands still, as sample ids
-#define KEPT_CELLS_UNIT 4           // R16UI array: where in the light's map they are
+#define TOUCHED_UNIT 3              // R8: pixels in which something that moves is seen
+#define KEPT_CELLS_UNIT 4           // RGBA16F: where in the light's map a pixel's samples of what stands still are
 #define REACHED_UNIT 15             // R8UI: cells of that map that something moving may shadow
 #define NEAR_TRIANGLES_UNIT 13      // buffer texture, R32UI: triangles that cross the light's near plane
 
@@ -38,7 +38,7 @@
 #define MATERIAL_TEXELS 3
 #define NO_TRIANGLE 0xffffffffu
 #define REACHED_SIDE 128   // cells along a side of the map
-#define NO_CELL 0xffffu    // where nothing can be shadowed
+#define NO_CELL 1024.0     // more than any: where nothing can be shadowed
 
 SHARED_BEGIN
 

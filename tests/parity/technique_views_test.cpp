@@ -78,7 +78,7 @@ TEST(TechniqueViews, FiguresReachTheReport) {
     FrameRenderer& renderer = sharedRenderer();
     const FramePlan plan = smallPlan();
     renderer.draw(plan, technique, View::Final, "columns");
-    EXPECT_EQ(countedInWords(technique), "counted   samples: 2 a pixel\ncounted   odd lists: 12,345\nbeware    the picture may be wrong there\n");
+    EXPECT_EQ(countedInWords(technique), "counted         samples: 2 a pixel\ncounted         odd lists: 12,345\nbeware          the picture may be wrong there\n");
 }
 
 TEST(TechniqueViews, TheScaleHasItsNumbers) {

@@ -27,8 +27,8 @@ MUTATIONS = [
      "texelFetch(depthMap, ivec3(texel, (stratum + 1u) % frame.strata), 0).x"),
     # Against brute force: tsm's own false shadows on pillars are more than this adds.
     ("light frozen at u = 0", "pillars", "accumulation", "passes/shadow_map_lookup.frag",
-     "MapPoint m = mapPointOf(pointAt(t, id, r.barycentrics, instant), instant);",
-     "MapPoint m = mapPointOf(pointAt(t, id, r.barycentrics, instant), 0.0);"),
+     "MapPoint m = mapPointOf(pointAt(t, r.triangle, r.barycentrics, instant), instant);",
+     "MapPoint m = mapPointOf(pointAt(t, r.triangle, r.barycentrics, instant), 0.0);"),
 ]
 
 # The same samples and the same map before and after, to the last bit: what changes is the mutation alone. Each must
