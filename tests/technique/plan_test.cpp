@@ -127,6 +127,34 @@ TEST_P(PlanOfTechnique, RandomSequencesLookAsIfNothingWerePlanned) {
     EXPECT_LE(ppm(difference.lit), 5.0);
 }
 
+/// The scenes that come with the program, at 20 settings drawn at random: frame, samples, map, shutter, seed, bias. Each moment is drawn three times,
+/// so that what is kept is in use.
+TEST_P(PlanOfTechnique, ScenesLookAsIfNothingWerePlanned) {
+    AwkwardNumbers numbers(4711);
+    const std::vector<std::string> names{"chess", "octopus", "pillars", "cubes", "rising"};
+    std::vector<std::unique_ptr<Scene>> scenes;
+    for (const std::string& name : names) scenes.push_back(openScene(name, "", {{"cubes.count", "60"}}));
+    Difference difference;
+    for (int i = 0; i < 20; ++i) {
+        Sequence s;
+        s.choose(GetParam());
+        const Scene& scene = *scenes[static_cast<std::size_t>(i) % scenes.size()];
+        s.request = ProceduralScene::request(160, 120, 1 + static_cast<int>(numbers.below(4)), numbers.oneIn(2) ? 256 : 512, numbers.below(100));
+        s.request.shutter = {scene.defaults().framesPerSecond, static_cast<double>(numbers.unit()), ShutterPosition::Start};
+        s.request.frame = scene.defaults().frame + static_cast<double>(numbers.below(8));
+        if (GetParam() != "exact" && numbers.oneIn(2)) s.set("bias", "1");
+        FramePlanner planner(scene);
+        for (int again = 0; again < 3; ++again) plannedRenderer().draw(planner.plan(s.request), *s.planned, View::Visibility);
+        unplannedRenderer().draw(unplanned(scene, s.request), *s.plain, View::Visibility);
+        difference.add(plannedRenderer(), unplannedRenderer());
+    }
+    const auto ppm = [&](std::size_t count) { return 1e6 * static_cast<double>(count) / static_cast<double>(difference.samples); };
+    fmt::print("{}: {:.2f} ppm of {} samples see another triangle, {:.2f} another light\n", GetParam(), ppm(difference.ids), difference.samples,
+               ppm(difference.lit));
+    EXPECT_LE(ppm(difference.ids), 5.0);
+    EXPECT_LE(ppm(difference.lit), 5.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Techniques, PlanOfTechnique, testing::ValuesIn(techniques), [](const auto& each) { return each.param; });
 
 } // namespace
