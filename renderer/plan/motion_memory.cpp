@@ -34,7 +34,9 @@ MotionMemory::Motion MotionMemory::update(const std::shared_ptr<const MeshTexels
     const bool sameLight = !first && sameBytes(light_, views.light.block) && block_.lightDirection == views.block.lightDirection &&
                            block_.lightPositionOpen == views.block.lightPositionOpen && block_.lightPositionClose == views.block.lightPositionClose;
     const bool sameBlock = !first && sameBytes(block_, views.block);
-    bool sameCasters = sameLight, sameSeen = sameCamera && sameBlock;
+    const bool samePattern = block_.seed == views.block.seed && block_.timeBase == views.block.timeBase && block_.timeScale == views.block.timeScale &&
+                             block_.imageSize == views.block.imageSize;
+    bool sameCasters = sameLight, sameSeen = sameCamera && samePattern;
 
     Motion now;
     if (!(sameCamera && sameLight && texels_ == texels)) {

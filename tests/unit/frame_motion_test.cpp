@@ -198,9 +198,15 @@ TEST_F(FrameMotion, VersionsChangeWithWhatStandsStillAndWithNothingElse) {
 TEST_F(FrameMotion, AnswersAreKeptOnlyUnderALightThatStandsStill) {
     add({0, 0, 0}, {0, 0, 0});
     scene_.lightClose.position.x = 0.5;
-    const FramePlan p = plan();
+    scene_.finish();
+    FramePlanner planner(scene_);
+    const FramePlan p = planner.plan(request());
     EXPECT_EQ(p.still.lit, 0u);
     EXPECT_NE(p.still.samples, 0u);
+    FrameRequest later = request();
+    later.frame = 0.5;
+    later.shutter.length = 0.5;
+    EXPECT_EQ(planner.plan(later).still.samples, p.still.samples) << "what the camera sees is no matter of the light";
     EXPECT_TRUE(p.casters.still.empty());
 }
 
