@@ -42,8 +42,8 @@ struct Player {
         const Clock::time_point again = Clock::now();
         memory.update(plan.texels, {plan.camera, plan.light, plan.block});
         const double decided = millisecondsSince(again);
-        row.movingCasters = plan.light.moving.count();
-        row.movingSeen = plan.camera.moving.count();
+        row.movingCasters = std::max(row.movingCasters, plan.light.moving.count());
+        row.movingSeen = std::max(row.movingSeen, plan.camera.moving.count());
         row.passes.clear();
         for (const PassDecision& pass : drawn->passes(plan)) row.passes.push_back(pass.triangles > 0 ? fmt::format("{} ({})", pass.name, pass.triangles) : pass.name);
         renderer.draw(std::move(plan), *drawn, View::Final);

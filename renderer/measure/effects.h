@@ -15,7 +15,7 @@ namespace timeshade {
 struct EffectRow {
     std::string effect;     ///< for people: "as it is", "light held"
     std::string technique;  ///< a TechniqueVariant
-    std::size_t movingCasters = 0, movingSeen = 0;  ///< triangles that move for the light and for the camera, as far as they are drawn
+    std::size_t movingCasters = 0, movingSeen = 0;  ///< most of any frame: triangles that move for the light and for the camera, as far as they are drawn
     std::vector<std::string> passes;  ///< of the last frame
     std::map<std::string, double> milliseconds;  ///< medians over the frames: "plan", "decide", "sample", "build", "lookup", "shade", "frame"
     std::map<std::string, double> figures;       ///< of the last frame: fragments, entries
