@@ -25,21 +25,16 @@ void LookupPass::draw(const TechniqueFrame& frame, const ProgramFor& programFor)
     const bool again = key != 0 && key == seen_;
     const bool nothingMoves = frame.plan.casters.nothingMoves() && frame.plan.camera.moving.empty();
     seen_ = key;
-    if (nothingMoves && again && key == drawn_) {
-        lastExtent_ = Extent::Nothing;
-        return;
-    }
+    if (nothingMoves && again && key == drawn_) return;
     drawn_ = nothingMoves ? key : 0;
     if (!again || nothingMoves || !frame.stillIds) {
         dropKept();
         drawStrata(frame, programFor({}), target_, frame.samples.ids(), frame.visibility.lit(), nullptr);
-        lastExtent_ = Extent::All;
         return;
     }
     if (kept_ != key) keep(frame, programFor);
     kept_ = key;
     drawReached(frame, programFor);
-    lastExtent_ = Extent::Reached;
 }
 
 void LookupPass::drawStrata(const TechniqueFrame& frame, const gl::Program& program, const gl::Framebuffer& target, const gl::Texture& ids,

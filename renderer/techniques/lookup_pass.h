@@ -30,9 +30,6 @@ class LookupPass {
     void begin() { used_ = false; }
     void end() { if (!used_) forget(); }
     void forget();
-    /// Camera samples that were asked for in the last frame were `all` of them, or those that something may have changed.
-    enum class Extent { All, Reached, Nothing };
-    Extent lastExtent() const { return lastExtent_; }
     std::size_t bytes() const;
 
   private:
@@ -46,7 +43,6 @@ class LookupPass {
     gl::Framebuffer target_;
     std::optional<gl::Framebuffer> keepTarget_, reachedTarget_;
     bool used_ = false;
-    Extent lastExtent_ = Extent::All;
     std::uint64_t drawn_ = 0;  ///< key of what the visibility buffer holds, where that is good for the next frame
     std::uint64_t seen_ = 0;   ///< key of the frame before
     std::uint64_t kept_ = 0;   ///< key of what is kept

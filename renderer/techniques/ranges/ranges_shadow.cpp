@@ -71,20 +71,13 @@ void RangesShadow::build(const TechniqueFrame& frame) {
     const LightMotion motion = listed(frame.plan);
     stillCasters_ = motion.still.size();
     moving_ = motion.moving.size();
-    near_ = motion.nearPlane.size();
     bending_ = motion.bending;
     {
         const auto timed = frame.timer.scope("build/still map");
         if (!stillMap_) stillMap_.emplace(programs_);
         stillMap_->draw(frame.plan, frame.mesh);
     }
-    if (near_ == 0) {
-        nearTriangles_.reset();
-    } else {
-        if (!nearTriangles_) nearTriangles_.emplace("near-plane triangles", GL_R32UI);
-        nearTriangles_->reserve(near_, "fewer triangles must cross the light's near plane");
-        glNamedBufferSubData(nearTriangles_->buffer().name(), 0, static_cast<GLsizeiptr>(near_ * sizeof(std::uint32_t)), motion.nearPlane.data());
-    }
+    near_.set(motion.nearPlane);
     if (builtAsPublished_ != asPublished_ || moving_ == 0) lists_.reset();  // first, so that both forms need not fit at once
     builtAsPublished_ = asPublished_;
     if (moving_ > 0) buildLists(frame, motion);
@@ -111,15 +104,12 @@ void RangesShadow::lookup(const TechniqueFrame& frame) {
         for (const auto& define : lookupDefines(frame.plan)) defines.push_back(define);
         if (stillCasters_ > 0) defines.emplace_back("STILL_TRIANGLES", "1");
         if (lists_) defines.emplace_back("MOVING_TRIANGLES", "1");
-        if (near_ > 0) defines.emplace_back("NEAR_TRIANGLES", "1");
+        if (near_.count() > 0) defines.emplace_back("NEAR_TRIANGLES", "1");
         const gl::Program& program = programs_.get({"ranges lookup", "passes/fullscreen.vert", "techniques/ranges/lookup.frag", defines});
         program.use();
         glUniform1f(2, bias_);
         glUniform1f(3, slopeBias_);
-        if (near_ > 0) {
-            glUniform1i(4, static_cast<GLint>(near_));
-            nearTriangles_->bindForReading(NEAR_TRIANGLES_UNIT);
-        }
+        if (near_.count() > 0) near_.bind();
         stillMap_->depth().bind(RANGES_STILL_UNIT);
         if (lists_) lists_->bind();
         return program;
@@ -153,7 +143,7 @@ std::vector<TechniqueFigure> RangesShadow::figures() const {
         {"moving triangles", number(moving_), "", ""},
         {"bending triangles", number(bending_), "", bending_ > 0 ? "the sides of their prisms are not flat: times are off by some thousandths" : ""},
         {"still triangles", number(stillCasters_), "", ""},
-        {"near-plane triangles", number(near_), "", ""},
+        {"near-plane triangles", number(near_.count()), "", ""},
         {"fragments", number(counts.fragments), "", ""},
         {"ranges", number(counts.ranges), "", ""},
         {"longest list", number(counts.longestList), "fragments", ""},
@@ -172,7 +162,7 @@ std::vector<const gl::Texture*> RangesShadow::textures() const {
 }
 
 std::size_t RangesShadow::bytes() const {
-    return (lists_ ? lists_->bytes() : 0) + (stillMap_ ? stillMap_->bytes() : 0) + (nearTriangles_ ? nearTriangles_->bytes() : 0);
+    return (lists_ ? lists_->bytes() : 0) + (stillMap_ ? stillMap_->bytes() : 0) + near_.bytes();
 }
 
 } // namespace timeshade

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "gl/growing_buffer.h"
+#include "passes/near_triangles.h"
 #include "passes/still_map.h"
 #include "techniques/ranges/range_lists.h"
 #include "techniques/technique.h"
@@ -52,8 +52,8 @@ class RangesShadow final : public Technique {
     bool builtAsPublished_ = false;
     std::unique_ptr<RangeLists> lists_;  ///< none where nothing moves
     std::optional<StillMap> stillMap_;
-    std::optional<gl::GrowingBuffer> nearTriangles_;
-    std::size_t stillCasters_ = 0, moving_ = 0, near_ = 0, bending_ = 0;
+    NearTriangles near_;
+    std::size_t stillCasters_ = 0, moving_ = 0, bending_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;
 };
 

@@ -66,7 +66,6 @@ void TemporalShadow::build(const TechniqueFrame& frame) {
     const LightMotion& motion = frame.plan.casters;
     stillCasters_ = motion.still.size();
     moving_ = motion.moving.size();
-    near_ = motion.nearPlane.size();
     bending_ = motion.bending;
     const bool otherForm = builtAsPublished_ != asPublished_;
     builtAsPublished_ = asPublished_;
@@ -76,13 +75,7 @@ void TemporalShadow::build(const TechniqueFrame& frame) {
         if (!stillMap_ || otherForm) stillMap_.emplace(programs_, asPublished_ ? StillMap::Coverage::Rasterized : StillMap::Coverage::Exact);
         stillMap_->draw(frame.plan, frame.mesh);
     }
-    if (near_ == 0) {
-        nearTriangles_.reset();
-    } else {
-        if (!nearTriangles_) nearTriangles_.emplace("near-plane triangles", GL_R32UI);
-        nearTriangles_->reserve(near_, "fewer triangles must cross the light's near plane");
-        glNamedBufferSubData(nearTriangles_->buffer().name(), 0, static_cast<GLsizeiptr>(near_ * sizeof(std::uint32_t)), motion.nearPlane.data());
-    }
+    near_.set(motion.nearPlane);
     const std::vector<std::uint32_t> triangles = listed(frame.plan);
     if (otherForm || triangles.empty()) lists_.reset();  // first, so that both forms need not fit at once
     builtWithCoverage_ = coverageMap_;
@@ -120,16 +113,13 @@ void TemporalShadow::lookup(const TechniqueFrame& frame) {
         for (const auto& define : lookupDefines(frame.plan)) defines.push_back(define);
         if (lists_) defines.emplace_back("MOVING_TRIANGLES", "1");
         if (lists_ && builtWithCoverage_) defines.emplace_back("COVERAGE_MAP", "1");
-        const bool nearOnes = !builtAsPublished_ && near_ > 0;
+        const bool nearOnes = !builtAsPublished_ && near_.count() > 0;
         if (nearOnes) defines.emplace_back("NEAR_TRIANGLES", "1");
         const gl::Program& program = programs_.get({"temporal lookup", "passes/fullscreen.vert", "techniques/temporal/lookup.frag", defines});
         program.use();
         glUniform1f(2, bias_);
         glUniform1f(3, slopeBias_);
-        if (nearOnes) {
-            glUniform1i(4, static_cast<GLint>(near_));
-            nearTriangles_->bindForReading(NEAR_TRIANGLES_UNIT);
-        }
+        if (nearOnes) near_.bind();
         stillMap_->depth().bind(TUPLE_STILL_UNIT);
         if (lists_) lists_->bind();
         return program;
@@ -163,7 +153,7 @@ std::vector<TechniqueFigure> TemporalShadow::figures() const {
         {"moving triangles", number(moving_), "", ""},
         {"bending triangles", number(bending_), "", bending_ > 0 && builtAsPublished_ ? "the sides of their prisms are bent: times are off by some thousandths" : ""},
         {"still triangles", number(stillCasters_), "", ""},
-        {"near-plane triangles", number(near_), "", near_ > 0 && builtAsPublished_ ? "their prisms are cut open: shadows may begin or end at the wrong time" : ""},
+        {"near-plane triangles", number(near_.count()), "", near_.count() > 0 && builtAsPublished_ ? "their prisms are cut open: shadows may begin or end at the wrong time" : ""},
         {"tuples", number(counts.tuples), "", ""},
         {"longest list", number(counts.longestList), "tuples", ""},
     };
@@ -172,7 +162,7 @@ std::vector<TechniqueFigure> TemporalShadow::figures() const {
         figures.push_back({"tuples skipped", number(counts.skippedTuples), "", ""});
     }
     figures.push_back({"memory", number(bytes()), "bytes", ""});
-    figures.push_back({"memory predicted", number(counts.predictedBytes + stillMap_->bytes() + near_ * sizeof(std::uint32_t)), "bytes", ""});
+    figures.push_back({"memory predicted", number(counts.predictedBytes + stillMap_->bytes() + near_.count() * sizeof(std::uint32_t)), "bytes", ""});
     return figures;
 }
 
@@ -185,7 +175,7 @@ std::vector<const gl::Texture*> TemporalShadow::textures() const {
 }
 
 std::size_t TemporalShadow::bytes() const {
-    return (lists_ ? lists_->bytes() : 0) + (stillMap_ ? stillMap_->bytes() : 0) + (nearTriangles_ ? nearTriangles_->bytes() : 0);
+    return (lists_ ? lists_->bytes() : 0) + (stillMap_ ? stillMap_->bytes() : 0) + near_.bytes();
 }
 
 } // namespace timeshade
