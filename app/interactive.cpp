@@ -86,13 +86,14 @@ class Interactive {
     PictureMouse mouse_;
     int framesLeft_ = framesAfterActivity;
     std::size_t keysHandled_ = 0;
+    std::size_t framesDrawn_ = 0;
     std::string title_;
 };
 
 void Interactive::wait() {
     if (ui_.events().takeActivity()) framesLeft_ = framesAfterActivity;
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
-    const bool busy = framesLeft_ > 0 || session_.playback.playing() || session_.wishedScreenshot || session_.recording.on();
+    const bool busy = framesLeft_ > 0 || ui_.events().mouse().pending() || session_.playback.playing() || session_.wishedScreenshot || session_.recording.on();
     const double untilWork = std::min({session_.driver.sleep(glfwGetTime()).value_or(longestSleep), session_.comparison.sleep(glfwGetTime()).value_or(longestSleep), longestSleep});
     if (minimised)
         glfwWaitEventsTimeout(longestSleep);
@@ -268,6 +269,9 @@ void Interactive::reportState(int width, int height) {
     dump_.state("command", session_.lastCommand);
     dump_.state("panels", session_.panelsVisible);
     dump_.state("keys", keysHandled_);
+    dump_.state("frames", ++framesDrawn_);
+    const ImGuiIO& io = ImGui::GetIO();
+    dump_.state("mouse", {static_cast<int>(io.MousePos.x), static_cast<int>(io.MousePos.y), io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2]});
 }
 
 void writeReport(const Options& options, Session& session) {

@@ -93,6 +93,14 @@ void UiWindow::holdShortPresses() {
     }
 }
 
+/// The back end asks the display where the mouse is now, which may be far from where a button went down.
+void UiWindow::replayMouse() {
+    ImGuiIO& io = ImGui::GetIO();
+    const MouseState mouse = events_.mouse().next();
+    if (ImGui::IsMousePosValid(&io.MousePos)) io.MousePos = {static_cast<float>(mouse.x), static_cast<float>(mouse.y)};
+    std::copy(mouse.down.begin(), mouse.down.end(), io.MouseDown);
+}
+
 void UiWindow::beginFrame(double textScale) {
     const float wanted = displayScale(window_) * static_cast<float>(textScale);
     pixelsPerUnit_ = framebufferScale(window_, pixelsPerUnit_);
@@ -111,6 +119,7 @@ void UiWindow::beginFrame(double textScale) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     holdShortPresses();
+    replayMouse();
     ImGui::NewFrame();
 }
 

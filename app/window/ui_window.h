@@ -28,6 +28,7 @@ class UiWindow {
   private:
     void rebuildFonts();
     void holdShortPresses();
+    void replayMouse();
 
     GLFWwindow* window_;
     WindowEvents events_;

@@ -11,14 +11,23 @@ WindowEvents& WindowEvents::of(GLFWwindow* window) { return *static_cast<WindowE
 
 WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
     glfwSetWindowUserPointer(window, this);
+    double left = 0.0, top = 0.0;
+    glfwGetCursorPos(window, &left, &top);
+    mouse_.moved(left, top);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
         of(w).activity_ = true;
         if (action != GLFW_RELEASE) of(w).keys_.push_back({key, mods});
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { of(w).activity_ = true; });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { of(w).activity_ = true; });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+        of(w).activity_ = true;
+        of(w).mouse_.pressed(button, action == GLFW_PRESS);
+    });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { of(w).activity_ = true; });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { of(w).activity_ = true; });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        of(w).activity_ = true;
+        of(w).mouse_.moved(x, y);
+    });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { of(w).activity_ = true; });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { of(w).activity_ = true; });
     glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { of(w).activity_ = true; });

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "window/mouse_queue.h"
+
 struct GLFWwindow;
 
 namespace timeshade {
@@ -12,8 +14,8 @@ struct KeyPress {
     int mods = 0;  ///< GLFW_MOD_...
 };
 
-/// What has happened to the window since the last look. Keys are kept in order, so that none is lost while a frame
-/// takes long. Made before ImGui hooks into the window: ImGui passes on what it hears.
+/// What has happened to the window since the last look. Keys and the mouse's doings are kept in order, so that none is
+/// lost while a frame takes long. Made before ImGui hooks into the window: ImGui passes on what it hears.
 class WindowEvents {
   public:
     explicit WindowEvents(GLFWwindow* window);
@@ -25,6 +27,7 @@ class WindowEvents {
     bool takeActivity();
     const std::vector<KeyPress>& keys() const { return keys_; }
     std::vector<KeyPress> takeKeys();
+    MouseQueue& mouse() { return mouse_; }
     /// Paths of files dropped on the window.
     std::vector<std::string> takeDropped();
 
@@ -34,6 +37,7 @@ class WindowEvents {
     GLFWwindow* window_;
     bool activity_ = true;
     std::vector<KeyPress> keys_;
+    MouseQueue mouse_;
     std::vector<std::string> dropped_;
 };
 

@@ -157,9 +157,24 @@ class Window:
     def type(self, text):
         self.hand("type", "--delay", "40", text)
 
+    def frames(self, count):
+        """Waits until the window has drawn so many more."""
+        before = self.state()["frames"]
+        self.wait(lambda dump: dump["state"]["frames"] >= before + count, f"{count} frames")
+
     def point(self, x, y):
         self.hand("mousemove", str(int(x)), str(int(y)))
-        time.sleep(0.08)
+        self.wait(lambda dump: dump["state"]["mouse"][:2] == [int(x), int(y)], f"the mouse at {int(x)}, {int(y)}")
+
+    def button(self, number, down):
+        self.hand("mousedown" if down else "mouseup", number)
+        self.wait(lambda dump: dump["state"]["mouse"][2] == down, f"button {number} {'down' if down else 'up'}")
+
+    def wheel(self, notches):
+        """Up for positive ones."""
+        for _ in range(abs(notches)):
+            self.hand("click", "4" if notches > 0 else "5")
+        self.frames(2)
 
     def reveal(self, name):
         """Scrolls the side panel until the widget can be clicked. Returns its rectangle."""
@@ -171,16 +186,13 @@ class Window:
             if widget["visible"] and y0 >= 0 and y1 <= height:
                 return x0, y0, x1, y1
             self.point(12, height / 2)
-            self.hand("click", "5" if y1 > height else "4")
-            time.sleep(0.08)
+            self.wheel(-1 if y1 > height else 1)
         raise AssertionError(f"widget {name} can't be scrolled into view")
 
     def press_at(self, x, y, button="1"):
         self.point(x, y)
-        self.hand("mousedown", button)
-        time.sleep(0.08)
-        self.hand("mouseup", button)
-        time.sleep(0.08)
+        self.button(button, True)
+        self.button(button, False)
 
     def click(self, name):
         x0, y0, x1, y1 = self.reveal(name)
@@ -190,16 +202,15 @@ class Window:
         self.click(combo)
         name = f"{combo}/{entry}"
         self.wait(lambda dump: name in dump["widgets"], f"the list of {combo} with {entry}")
-        time.sleep(0.1)
+        self.frames(2)  # the list has its size and place
         self.click(name)
 
     def drag(self, x0, y0, x1, y1, button="1"):
         self.point(x0, y0)
-        self.hand("mousedown", button)
+        self.button(button, True)
         for i in range(1, 6):
             self.point(x0 + (x1 - x0) * i / 5, y0 + (y1 - y0) * i / 5)
-        self.hand("mouseup", button)
-        time.sleep(0.08)
+        self.button(button, False)
 
     def drag_slider(self, name, share):
         """Drags from the middle of the slider to a share of its width. Returns the new value."""

@@ -8,6 +8,7 @@
 #include "panels/widgets.h"
 #include "window/frame_times.h"
 #include "window/layout.h"
+#include "window/mouse_queue.h"
 #include "window/orbit_camera.h"
 #include "window/playback.h"
 #include "window/preview_quality.h"
@@ -51,6 +52,42 @@ TEST(Playback, DoesNotPlayWhatDoesNotMove) {
     EXPECT_FALSE(playback.playing());
     playback.step(1);
     EXPECT_EQ(playback.frame(), 0.0);
+}
+
+/// All that happens while one slow frame is drawn.
+TEST(MouseQueue, ADragDuringOneFrameBeginsWhereTheButtonWentDown) {
+    MouseQueue mouse;
+    mouse.moved(10.0, 5.0);
+    mouse.pressed(0, true);
+    mouse.moved(20.0, 6.0);
+    mouse.moved(30.0, 7.0);
+    mouse.pressed(0, false);
+    MouseState state = mouse.next();
+    EXPECT_EQ(state.x, 10.0);
+    EXPECT_TRUE(state.down[0]);
+    EXPECT_TRUE(mouse.pending());
+    state = mouse.next();
+    EXPECT_EQ(state.x, 30.0);
+    EXPECT_TRUE(state.down[0]) << "moved before it was let go";
+    state = mouse.next();
+    EXPECT_EQ(state.x, 30.0);
+    EXPECT_EQ(state.y, 7.0);
+    EXPECT_FALSE(state.down[0]);
+    EXPECT_FALSE(mouse.pending());
+}
+
+TEST(MouseQueue, NoClickIsLost) {
+    MouseQueue mouse;
+    for (int i = 0; i < 3; ++i) {
+        mouse.pressed(0, true);
+        mouse.pressed(0, false);
+    }
+    mouse.pressed(7, true);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_TRUE(mouse.next().down[0]);
+        EXPECT_FALSE(mouse.next().down[0]);
+    }
+    EXPECT_FALSE(mouse.pending());
 }
 
 Bounds unitBounds() {
