@@ -12,20 +12,43 @@ SHARED_BEGIN
 /// Set in a candidate's triangle number when the triangle moves in the world: its second position must be read.
 #define CANDIDATE_MOVES 0x80000000u
 
-/// Where in its cell, and how near at the least, a candidate is, in one word: four bits for each side of its bounds, in
-/// sixteenths of the cell and inclusive, and the upper 16 bits of the depth as a float (truncated, so never farther than it is; a
-/// depth below 0 counts as 0). Bounds in cells, relative to the cell's low corner.
-SHARED_FUNCTION uint packCandidateBounds(vec2 low, vec2 high, float nearest) {
-    uvec2 first = uvec2(clamp(floor(low * SHARED_FLOAT(16.0)), vec2(0), vec2(15)));
-    uvec2 last = uvec2(clamp(floor(high * SHARED_FLOAT(16.0)), vec2(0), vec2(15)));
-    return (floatBitsToUint(max(nearest, SHARED_FLOAT(0.0))) & 0xffff0000u) | (first.x << 12u) | (first.y << 8u) | (last.x << 4u) | last.y;
+/// Entries of which one texel holds all bounds and the next one all triangle numbers: what a list costs a reader is fetches.
+#define CANDIDATES_TOGETHER 4u
+
+/// The word with an entry's bounds, among all words; its triangle number lies CANDIDATES_TOGETHER further on.
+SHARED_FUNCTION uint candidatePlace(uint entry) {
+    return entry / CANDIDATES_TOGETHER * (2u * CANDIDATES_TOGETHER) + entry % CANDIDATES_TOGETHER;
 }
 
-/// Can the candidate shadow a receiver at `place` (sixteenths of the cell, 0 .. 15) and `depth`? False only where it can't.
-SHARED_FUNCTION bool candidateReaches(uint bounds, uvec2 place, float depth) {
-    return uintBitsToFloat(bounds & 0xffff0000u) <= depth && place.x >= ((bounds >> 12u) & 15u) && place.y >= ((bounds >> 8u) & 15u) &&
-           place.x <= ((bounds >> 4u) & 15u) && place.y <= (bounds & 15u);
+/// Bits above the fields of a candidate's bounds: never set in them, always set in a receiver's place.
+#define CANDIDATE_GUARDS 0x80084210u
+
+/// A depth in 11 bits that never decrease: 128 steps an octave, from `least` upwards over 16 octaves; what is nearer is 0, what is
+/// farther 2047.
+SHARED_FUNCTION uint depthStep(float depth, float least) {
+    int step = int(floatBitsToUint(max(depth, SHARED_FLOAT(0.0))) >> 16u) - int(floatBitsToUint(least) >> 16u);
+    return uint(clamp(step, 0, 2047));
 }
+
+/// Where in its cell, and how near at the least, a candidate is, in one word of fields with a guard bit above each: the low corner
+/// of its bounds and what lies beyond the high one in sixteenths of the cell (4 bits each), and depthStep. Bounds in cells, relative to the
+/// cell's low corner.
+SHARED_FUNCTION uint packCandidateBounds(vec2 low, vec2 high, uint nearestStep) {
+    uvec2 first = uvec2(clamp(floor(low * SHARED_FLOAT(16.0)), vec2(0), vec2(15)));
+    uvec2 beyond = uvec2(15u) - uvec2(clamp(floor(high * SHARED_FLOAT(16.0)), vec2(0), vec2(15)));
+    return first.x | (first.y << 5u) | (beyond.x << 10u) | (beyond.y << 15u) | (nearestStep << 20u);
+}
+
+/// A receiver in the same fields. `inCell`: in cells, relative to the cell's low corner.
+SHARED_FUNCTION uint packReceiverPlace(vec2 inCell, uint receiverStep) {
+    uvec2 place = uvec2(clamp(floor(inCell * SHARED_FLOAT(16.0)), vec2(0), vec2(15)));
+    uvec2 left = uvec2(15u) - place;
+    return place.x | (place.y << 5u) | (left.x << 10u) | (left.y << 15u) | (receiverStep << 20u) | CANDIDATE_GUARDS;
+}
+
+/// Can the candidate shadow the receiver? False only where it can't. All fields are compared by one difference: a guard that had to be
+/// borrowed from is a field of the receiver that is less than the candidate's.
+SHARED_FUNCTION bool candidateReaches(uint bounds, uint receiver) { return ((receiver - bounds) & CANDIDATE_GUARDS) == CANDIDATE_GUARDS; }
 
 /// A moving triangle's three edges as the light sees them during an interval. Seen through the map position p, edge k has the
 /// function e_k(u, p) = (V_i(u) x V_j(u)) . (p, 1) with V = (X, Y, Z), or (X, Y, 1) when orthographic: a quadratic in u whose Bernstein

@@ -1,5 +1,7 @@
 // What the candidate lists rest on: a cell that a moving triangle covers anywhere, at any time, is never left out, nor is a receiver
 // behind it turned away by the packed bounds. Random and adversarial triangles; the truth in double, point by point.
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,19 +84,54 @@ TEST_F(CandidateBounds, PackedBoundsNeverTurnAwayWhatTheyHold) {
         const vec2 low(dvec3(number(-0.5, 1.2), number(-0.5, 1.2), 0.0));
         const vec2 high = low + vec2(dvec3(number(0.0, 1.5), number(0.0, 1.5), 0.0));
         const auto nearest = static_cast<float>(oneIn(20) ? number(-1.0, 0.0) : number(0.0, 100.0));
-        const glm::uint packed = shared::packCandidateBounds(low, high, nearest);
+        const auto least = static_cast<float>(std::exp2(number(-20.0, 8.0)));
+        const glm::uint packed = shared::packCandidateBounds(low, high, shared::depthStep(nearest, least));
+        ASSERT_EQ(packed & CANDIDATE_GUARDS, 0u);
         // A receiver in this cell, inside the bounds, and no nearer to the light.
         const vec2 inside(dvec3(number(0.0, 1.0), number(0.0, 1.0), 0.0));
         const float depth = oneIn(3) ? std::max(nearest, 0.0f) : std::max(nearest, 0.0f) + static_cast<float>(number(0.0, 10.0));
-        const glm::uvec2 place(glm::clamp(glm::floor(inside * 16.0f), vec2(0.0f), vec2(15.0f)));
-        const bool reached = shared::candidateReaches(packed, place, depth);
+        const bool reached = shared::candidateReaches(packed, shared::packReceiverPlace(inside, shared::depthStep(depth, least)));
         if (inside.x >= low.x && inside.y >= low.y && inside.x <= high.x && inside.y <= high.y) {
             ASSERT_TRUE(reached) << n;
         }
         away += reached ? 0 : 1;
-        EXPECT_FALSE(shared::candidateReaches(shared::packCandidateBounds(low, high, 10.0f), place, 9.0f)) << "nearer than the candidate";
+        // Without the depth, what the fields say one by one.
+        const auto sixteenth = [](float x) { return glm::clamp(static_cast<int>(std::floor(x * 16.0f)), 0, 15); };
+        const bool within = sixteenth(inside.x) >= sixteenth(low.x) && sixteenth(inside.y) >= sixteenth(low.y) && sixteenth(inside.x) <= sixteenth(high.x) &&
+                            sixteenth(inside.y) <= sixteenth(high.y);
+        ASSERT_EQ(shared::candidateReaches(shared::packCandidateBounds(low, high, 0u), shared::packReceiverPlace(inside, 0u)), within) << n;
+        ASSERT_FALSE(shared::candidateReaches(shared::packCandidateBounds(vec2(0.0f), vec2(1.0f), shared::depthStep(10.0f, 0.1f)),
+                                              shared::packReceiverPlace(inside, shared::depthStep(9.0f, 0.1f))))
+            << "nearer than the candidate";
     }
     EXPECT_GT(away, 20000);
+}
+
+TEST_F(CandidateBounds, StepsOfDepthNeverDecrease) {
+    for (int n = 0; n < 100000; ++n) {
+        const auto least = static_cast<float>(std::exp2(number(-30.0, 10.0)));
+        const auto near = static_cast<float>(oneIn(10) ? number(-1.0, 0.0) : std::exp2(number(-40.0, 30.0)));
+        const float far = oneIn(4) ? std::nextafter(near, 1e30f) : near + static_cast<float>(std::exp2(number(-40.0, 30.0)));
+        ASSERT_LE(shared::depthStep(near, least), shared::depthStep(far, least)) << near << " " << far << " from " << least;
+        ASSERT_LE(shared::depthStep(far, least), 2047u);
+    }
+    EXPECT_EQ(shared::depthStep(0.0f, 0.1f), 0u);
+    EXPECT_EQ(shared::depthStep(1e30f, 0.1f), 2047u);
+    // 128 steps an octave: a hundredth more is another step.
+    EXPECT_LT(shared::depthStep(7.0f, 0.1f), shared::depthStep(7.07f, 0.1f));
+}
+
+TEST(CandidatePlaces, BoundsAndNumbersOfFourEntriesLieInTwoTexels) {
+    std::set<glm::uint> words;
+    for (glm::uint entry = 0; entry < 64; ++entry) {
+        const glm::uint place = shared::candidatePlace(entry);
+        EXPECT_EQ(place / 4 % 2, 0u);
+        EXPECT_EQ(place / 8, entry / 4);
+        words.insert(place);
+        words.insert(place + CANDIDATES_TOGETHER);
+    }
+    EXPECT_EQ(words.size(), 128u);
+    EXPECT_EQ(*words.rbegin(), 127u);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "shared/candidate_bounds.shared.h"
 #include "shared/frame_blocks.shared.h"
 
 namespace timeshade {
@@ -20,7 +21,7 @@ std::size_t deviceLimit() {
     GLint64 block = 0, texels = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
     glGetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-    return static_cast<std::size_t>(std::min(block / 8, texels));
+    return static_cast<std::size_t>(std::min(block / 8, 2 * texels)) / CANDIDATES_TOGETHER * CANDIDATES_TOGETHER;
 }
 
 /// One place a cell and one more, in one storage block.
@@ -33,7 +34,7 @@ std::size_t mostCells() {
 } // namespace
 
 CandidateGrid::CandidateGrid(gl::ProgramCache& programs)
-    : programs_(programs), lists_(programs), casters_("shadow casters", GL_R32UI), candidates_("shadow candidates", GL_RG32UI) {}
+    : programs_(programs), lists_(programs), casters_("shadow casters", GL_R32UI), candidates_("shadow candidates", GL_RGBA32UI) {}
 
 void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t>& casters, const CandidateGridSize& wanted,
                           std::size_t mostEntries) {
@@ -54,7 +55,8 @@ void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t
         if (entries_ <= mostEntries || side_ <= 1) break;
         coarsened_ = true;
     }
-    candidates_.reserve(entries_, "lower exact.buckets, or draw fewer triangles");
+    constexpr std::size_t together = CANDIDATES_TOGETHER;
+    candidates_.reserve(2 * std::max<std::size_t>((entries_ + together - 1) / together, 1), "lower exact.buckets, or draw fewer triangles");
     lists_.bindCursors();
     candidates_.bindForWriting(TECHNIQUE_STORAGE_BINDING);
     insert(plan, casters.size(), true);

@@ -24,7 +24,7 @@ class CandidateGrid {
     /// side is halved until they fit: slower to look up, and the same picture. `mostEntries` may lower that limit further.
     void build(const FramePlan& plan, const std::vector<std::uint32_t>& casters, const CandidateGridSize& wanted,
                std::size_t mostEntries = ~std::size_t{0});
-    /// Offsets to `unit`, entries to `unit` + 1.
+    /// Offsets to `unit`, entries to `unit` + 1: of four entries one texel holds the bounds and the next one the triangles.
     void bindForLookup(GLuint unit) const;
 
     int side() const { return side_; }

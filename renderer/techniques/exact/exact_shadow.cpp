@@ -1,5 +1,6 @@
 #include "techniques/exact/exact_shadow.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -59,6 +60,7 @@ void ExactShadow::build(const TechniqueFrame& frame) {
     const std::vector<std::uint32_t> movers = movingCasters(plan);
     movingCasters_ = movers.size();
     stillCasters_ = plan.casters.still.size();
+    stillCastersTravel_ = std::any_of(plan.casters.still.begin(), plan.casters.still.end(), [&](std::uint32_t id) { return (*plan.triangles)[id].movesInWorld; });
     const bool kept = still_ && plan.still.casters != 0 && plan.still.casters == stillVersion_ && side_ == stillSide_;
     if (stillCasters_ == 0) {
         still_.reset();
@@ -84,6 +86,7 @@ const gl::Program& ExactShadow::lookupProgram(const TechniqueFrame& frame, gl::S
     for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
     if (moving_) defines.emplace_back("MOVING_TRIANGLES", "1");
     if (still_) defines.emplace_back("STILL_TRIANGLES", "1");
+    if (still_ && stillCastersTravel_) defines.emplace_back("STILL_CASTERS_TRAVEL", "1");
     const gl::Program& program = programs_.get({"exact lookup", "passes/fullscreen.vert", "techniques/exact/lookup.frag", defines});
     program.use();
     if (moving_) {

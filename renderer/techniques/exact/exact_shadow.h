@@ -40,6 +40,7 @@ class ExactShadow final : public Technique {
     std::uint64_t stillVersion_ = 0;
     int stillSide_ = 0;
     std::size_t movingCasters_ = 0, stillCasters_ = 0;
+    bool stillCastersTravel_ = false;  ///< some stand still only in the light's frame
     std::optional<gl::Framebuffer> viewTarget_;
 };
 

@@ -2,6 +2,7 @@
 // and small and large triangles, have in common. FILL: write entries; otherwise count them.
 #include "lib/blocks.glsl"
 #include "lib/cell_lists.glsl"
+#include "techniques/exact/least_depth.glsl"
 #include "shared/candidate_bounds.shared.h"
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
@@ -11,7 +12,7 @@ layout(location = 1) uniform uint buckets;    // of the shutter
 layout(location = 3) uniform uint items;      // casters times buckets
 
 #ifdef FILL
-layout(std430, binding = TECHNIQUE_STORAGE_BINDING) writeonly buffer Candidates { uvec2 candidates[]; };
+layout(std430, binding = TECHNIQUE_STORAGE_BINDING) writeonly buffer Candidates { uint candidates[]; };
 #endif
 
 struct Footprint {
@@ -74,6 +75,8 @@ void visitCell(Footprint f, ivec2 cell) {
     if (missesSquare(f.edge0, f.edge1, f.edge2, (vec2(cell) + 0.5) * width, 0.5 * width + MAP_POSITION_SLACK)) return;
     uint slot = listSlot(f.list + uint(cell.y) * gridSide + uint(cell.x));
 #ifdef FILL
-    candidates[slot] = uvec2(f.caster, packCandidateBounds(f.lowBound - vec2(cell), f.highBound - vec2(cell), f.nearest));
+    uint place = candidatePlace(slot);
+    candidates[place] = packCandidateBounds(f.lowBound - vec2(cell), f.highBound - vec2(cell), depthStep(f.nearest, leastDepth()));
+    candidates[place + CANDIDATES_TOGETHER] = f.caster;
 #endif
 }

@@ -1,8 +1,9 @@
 // Is the receiver lit, by testing every triangle that might shadow it, at its own time and place? VIEW_CANDIDATES: how many
-// were tested instead. MOVING_TRIANGLES, STILL_TRIANGLES: there are such.
+// were tested instead. MOVING_TRIANGLES, STILL_TRIANGLES: there are such. STILL_CASTERS_TRAVEL: some of the latter move with the light.
 #include "lib/lookup.glsl"
 #include "shared/candidate_bounds.shared.h"
 #include "shared/segment_triangle.shared.h"
+#include "techniques/exact/least_depth.glsl"
 
 layout(binding = TECHNIQUE_UNIT) uniform usamplerBuffer movingOffsets;
 layout(binding = TECHNIQUE_UNIT + 1) uniform usamplerBuffer movingCandidates;  // triangle, where it is
@@ -12,13 +13,19 @@ layout(location = 1) uniform uint movingSide;
 layout(location = 2) uniform uint buckets;
 layout(location = 3) uniform uint stillSide;
 
-bool shadows(uint candidate, Receiver r, vec3 toLight) {
+#ifdef STILL_CASTERS_TRAVEL
+const bool stillCastersTravel = true;
+#else
+const bool stillCastersTravel = false;
+#endif
+
+bool shadows(uint candidate, bool mayMove, Receiver r, vec3 toLight) {
     int first = int(candidate & ~CANDIDATE_MOVES) * TRIANGLE_POSITION_TEXELS;
     vec4 a = texelFetch(trianglePositions, first), b = texelFetch(trianglePositions, first + 1),
          c = texelFetch(trianglePositions, first + 2);
     vec3 open0 = a.xyz, open1 = vec3(a.w, b.xy), open2 = vec3(b.zw, c.x);
     vec3 close0 = open0, close1 = open1, close2 = open2;
-    if ((candidate & CANDIDATE_MOVES) != 0u) {
+    if (mayMove && (candidate & CANDIDATE_MOVES) != 0u) {
         vec4 d = texelFetch(trianglePositions, first + 3);
         close0 = c.yzw;
         close1 = d.xyz;
@@ -30,28 +37,40 @@ bool shadows(uint candidate, Receiver r, vec3 toLight) {
 
 float tested = 0.0;  // candidates of this sample
 
+uint maskOf(bvec4 each) { return uint(each.x) | uint(each.y) << 1u | uint(each.z) << 2u | uint(each.w) << 3u; }
+
+// Which of four candidates can shadow a receiver at `place`: one bit each.
+uint reachingOf(uvec4 bounds, uint place) {
+    return maskOf(equal((uvec4(place) - bounds) & uvec4(CANDIDATE_GUARDS), uvec4(CANDIDATE_GUARDS)));
+}
+
 // Does a candidate of the receiver's cell in bucket `bucket` shadow it?
-bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side, uint bucket, Receiver r, MapPoint m, vec3 toLight) {
+bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side, uint bucket, bool mayMove, Receiver r, MapPoint m, vec3 toLight) {
     vec2 inGrid = m.position * float(side);
     ivec2 cell = clamp(ivec2(floor(inGrid)), ivec2(0), ivec2(side) - 1);
-    uvec2 place = uvec2(clamp(floor((inGrid - vec2(cell)) * 16.0), vec2(0.0), vec2(15.0)));
+    uint place = packReceiverPlace(inGrid - vec2(cell), depthStep(m.depth, leastDepth()));
     int list = int((bucket * side + uint(cell.y)) * side) + cell.x;
-    int i = int(texelFetch(offsets, list).x), last = int(texelFetch(offsets, list + 1).x);
+    int first = int(texelFetch(offsets, list).x), last = int(texelFetch(offsets, list + 1).x);
+    int entry = first & ~3;  // of the four that are looked at next
+    uvec4 ids = uvec4(0u);
+    uint waiting = 0u;  // of those, which are still to be tested
     bool shadowed = false;
     // Skipping first and testing then keeps neighbouring pixels at the same work (Aila and Laine 2009).
-    while (i < last) {
-        uvec2 candidate = uvec2(r.triangle, 0u);
-        bool reaches = false;
-        while (i < last && !reaches) {
-            candidate = texelFetch(candidates, i++).xy;
-            reaches = candidateReaches(candidate.y, place, m.depth) && (candidate.x & ~CANDIDATE_MOVES) != r.triangle;
+    while (true) {
+        while (waiting == 0u && entry < last) {
+            waiting = reachingOf(texelFetch(candidates, entry >> 1), place) & (15u << uint(max(first - entry, 0))) & (15u >> uint(max(entry + 4 - last, 0)));
+            ids = texelFetch(candidates, (entry >> 1) + 1);
+            waiting &= ~maskOf(equal(ids & uvec4(~CANDIDATE_MOVES), uvec4(r.triangle)));
+            entry += 4;
         }
-        if (!reaches) break;
+        if (waiting == 0u) break;
         tested += 1.0;
-        if (shadows(candidate.x, r, toLight)) {
+        uint id = (waiting & 1u) != 0u ? ids.x : (waiting & 2u) != 0u ? ids.y : (waiting & 4u) != 0u ? ids.z : ids.w;
+        if (shadows(id, mayMove, r, toLight)) {
             shadowed = true;
             break;
         }
+        waiting &= waiting - 1u;
     }
     return shadowed;
 }
@@ -66,10 +85,10 @@ float litOf(MovingTriangle t, Receiver r) {
     // First what moves, in the receiver's own bucket of time; then what stands still.
 #if defined(MOVING_TRIANGLES) && !defined(STILL_CASTERS_ALONE)
     uint bucket = min(uint(r.time * float(buckets)), buckets - 1u);
-    shadowed = shadowedByList(movingOffsets, movingCandidates, movingSide, bucket, r, m, toLight);
+    shadowed = shadowedByList(movingOffsets, movingCandidates, movingSide, bucket, true, r, m, toLight);
 #endif
 #ifdef STILL_TRIANGLES
-    if (!shadowed) shadowed = shadowedByList(stillOffsets, stillCandidates, stillSide, 0u, r, m, toLight);
+    if (!shadowed) shadowed = shadowedByList(stillOffsets, stillCandidates, stillSide, 0u, stillCastersTravel, r, m, toLight);
 #endif
     return shadowed ? 0.0 : 1.0;
 }
