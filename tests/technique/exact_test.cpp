@@ -1,9 +1,13 @@
 // `exact` is right whatever its grid: the same answers for every number of cells and buckets, every map, and for lists that had
 // to be made coarser; and right by the oracle, in scenes where everything moves.
+#include <cstdlib>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "frame/frame_renderer.h"
 #include "measure/verification.h"
+#include "scene_catalogue.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "techniques/exact/candidate_grid.h"
@@ -52,6 +56,38 @@ TEST_P(Exact, GridAndMapChangeNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Exact,
                          testing::Values(Kind{false, false}, Kind{true, false}, Kind{false, true}));
+
+/// With TIMESHADE_FULL_SIZE set: pictures as the program draws them when it is asked for nothing else, and all grids. Takes minutes.
+bool atFullSize() { return std::getenv("TIMESHADE_FULL_SIZE") != nullptr; }
+
+class ExactOnScenes : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExactOnScenes, GridAndMapChangeNothing) {
+    const std::unique_ptr<Scene> scene = openScene(GetParam(), "");
+    std::vector<float> first;
+    const auto draw = [&](int mapSize, int buckets) {
+        FrameRequest request;
+        request.width = atFullSize() ? 640 : 160;
+        request.height = request.width / 4 * 3;
+        request.samplesPerPixel = atFullSize() ? 8 : 4;
+        request.frame = scene->defaults().frame;
+        request.shutter = {scene->defaults().framesPerSecond, scene->defaults().shutterLength, ShutterPosition::Start};
+        request.mapSize = mapSize;
+        const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
+        setFromText(*exact, "side", std::to_string(mapSize));  // the cost model rarely wants the finest
+        setFromText(*exact, "buckets", std::to_string(buckets));
+        sharedRenderer().draw(FramePlanner(*scene).plan(request), *exact, View::Visibility);
+        const std::vector<float> lit = sharedRenderer().readVisibility();
+        if (first.empty()) first = lit;
+        EXPECT_TRUE(lit == first) << "map " << mapSize << ", buckets " << buckets;
+    };
+    const std::vector<int> maps = atFullSize() ? std::vector<int>{64, 128, 256, 512, 1024} : std::vector<int>{64, 512};
+    const std::vector<int> buckets = atFullSize() ? std::vector<int>{1, 2, 4, 8, 16} : std::vector<int>{1, 16};
+    for (const int mapSize : maps)
+        for (const int count : buckets) draw(mapSize, count);
+}
+
+INSTANTIATE_TEST_SUITE_P(Three, ExactOnScenes, testing::Values("chess", "octopus", "pillars"), [](const auto& given) { return std::string(given.param); });
 
 /// Lists that do not fit are made with larger cells, and still hold every triangle that they must.
 TEST(CandidateGrid, GrowsCoarserUntilItsListsFit) {
