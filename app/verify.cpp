@@ -9,6 +9,7 @@
 #include "headless.h"
 #include "make_context.h"
 #include "measure/verification.h"
+#include "measure/verification_json.h"
 #include "progress.h"
 #include "report.h"
 #include "sample_dump.h"
@@ -23,21 +24,7 @@ std::string asJson(const Verification& v, const FrameRenderer& renderer, Techniq
                    const Scene& scene, const std::string& backEnd) {
     nlohmann::ordered_json json = nlohmann::ordered_json::parse(manifest(renderer, technique, sceneName, scene, backEnd, {}));
     json.erase("milliseconds");
-    json["samples"] = v.samples;
-    json["tested"] = v.tested;
-    json["shadowed"] = v.shadowed;
-    json["disagree"] = v.disagree();
-    json["false_shadow"] = v.falseShadow;
-    json["false_lit"] = v.falseLit;
-    json["marginal"] = v.marginal;
-    json["ppm"] = v.ppm();
-    json["mean_absolute_error"] = v.meanAbsoluteError;
-    json["primary_tested"] = v.primaryTested;
-    json["primary_disagree"] = v.primaryDisagree;
-    json["primary_marginal"] = v.primaryMarginal;
-    json["primary_ppm"] = v.primaryPpm();
-    json["ruled"] = v.ruled;
-    json["overruled"] = v.overruled;
+    json.update(asJson(v));
     return json.dump(2) + "\n";
 }
 

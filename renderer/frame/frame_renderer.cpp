@@ -131,6 +131,7 @@ bool FrameRenderer::step() {
         const auto timed = timer_.scope("shade");
         shadePass_.draw(render, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
     }
+    techniqueBytes_ = technique_->bytes();  // here, as it may be gone when someone asks
     ++done_;
     if (checked_) checkBuffers();
     return complete();
@@ -191,7 +192,7 @@ GpuMemory FrameRenderer::memory() const {
     memory.mesh = mesh_.bytes();
     memory.samples = samplePass_.bytes() + (samples_ ? samples_->bytes() : 0);
     memory.visibility = (visibility_ ? visibility_->bytes() : 0) + lookupPass_.bytes();
-    memory.technique = technique_ ? technique_->bytes() : 0;
+    memory.technique = techniqueBytes_;
     memory.picture = (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);
     return memory;
 }

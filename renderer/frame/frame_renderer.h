@@ -17,7 +17,7 @@
 
 namespace timeshade {
 
-/// Bytes of GPU memory, by what holds them.
+/// Bytes of GPU memory, by what holds them; a technique's as of the last render.
 struct GpuMemory {
     std::size_t mesh = 0, samples = 0, visibility = 0, technique = 0, picture = 0;
     std::size_t total() const { return mesh + samples + visibility + technique + picture; }
@@ -89,6 +89,7 @@ class FrameRenderer {
 
     std::optional<FramePlan> plan_;
     Technique* technique_ = nullptr;
+    std::size_t techniqueBytes_ = 0;     ///< after the last render
     std::uint64_t techniqueKey_ = 0;  ///< stands for the technique and its settings
     View view_ = View::Final;
     std::optional<TechniqueView> techniqueView_;

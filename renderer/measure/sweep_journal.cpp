@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "measure/verification_json.h"
 #include "scene/error.h"
 
 namespace timeshade {
@@ -18,30 +19,6 @@ using Json = nlohmann::ordered_json;
 /// JSON has no infinity, which the PSNR of equal pictures is.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 double numberOf(const Json& json) { return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>(); }
-
-Json asJson(const Verification& v) {
-    return {{"samples", v.samples},       {"tested", v.tested},
-            {"shadowed", v.shadowed},     {"disagree", v.disagree()},
-            {"false_shadow", v.falseShadow}, {"false_lit", v.falseLit},
-            {"marginal", v.marginal},     {"ppm", v.ppm()},
-            {"mean_absolute_error", v.meanAbsoluteError},
-            {"primary_tested", v.primaryTested}, {"primary_disagree", v.primaryDisagree}, {"primary_marginal", v.primaryMarginal}};
-}
-
-Verification verificationOf(const Json& json) {
-    Verification v;
-    v.samples = json.at("samples");
-    v.tested = json.at("tested");
-    v.shadowed = json.at("shadowed");
-    v.falseShadow = json.at("false_shadow");
-    v.falseLit = json.at("false_lit");
-    v.marginal = json.at("marginal");
-    v.meanAbsoluteError = json.at("mean_absolute_error");
-    v.primaryTested = json.at("primary_tested");
-    v.primaryDisagree = json.at("primary_disagree");
-    v.primaryMarginal = json.at("primary_marginal");
-    return v;
-}
 
 } // namespace
 
