@@ -1,5 +1,6 @@
 // How a receiver finds its place and depth in the light's map.
 #include "lib/receiver.glsl"
+#include "lib/texel_width.glsl"
 
 struct MapPoint {
     vec2 position;  // in [0, 1] inside the map
@@ -15,15 +16,14 @@ MapPoint mapPointOf(Receiver r, float u) {
     vec3 plane = cross(axes * r.edge1, axes * r.edge2);
     MapPoint m;
     m.depth = v.z;
+    m.texel = texelWidth(v.z);
 #ifdef LIGHT_ORTHOGRAPHIC
     m.position = v.xy;
-    m.texel = frame.lightCone.w;
     // plane . v = const, so depth changes by -plane.xy / plane.z.
     float along = plane.z;
     m.slope = -plane.xy / (abs(along) > 1e-20 ? along : 1e-20);
 #else
     m.position = v.xy / v.z;
-    m.texel = frame.lightCone.w * v.z;
     // depth = const / (plane . (s, t, 1)).
     float along = dot(plane, vec3(m.position, 1.0));
     m.slope = -plane.xy * (v.z / (abs(along) > 1e-20 ? along : 1e-20));

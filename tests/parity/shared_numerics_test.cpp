@@ -14,6 +14,7 @@
 
 #include "parity/compute.h"
 #include "shared/cubic.shared.h"
+#include "shared/prism_side.shared.h"
 #include "shared/sample_pattern.shared.h"
 #include "shared/segment_triangle.shared.h"
 #include "shared/swept_bounds.shared.h"
@@ -176,6 +177,27 @@ void expectSameBounds(const shared::SweptBounds& cpu, const std::uint32_t* gpu, 
 }
 
 constexpr const char* putBounds = "put(0, b.low.x); put(1, b.low.y); put(2, b.high.x); put(3, b.high.y); put(4, b.crosses);";
+
+TEST_F(SharedNumerics, PrismSides) {
+    constexpr std::size_t count = 20000;
+    std::vector<float> input = coordinates(7 * count);  // s, u, place; slopes of time and place
+    for (std::size_t i = 0; i < count; ++i)
+        for (int j = 0; j < 3; ++j) input[7 * i + static_cast<std::size_t>(j)] = static_cast<float>(oneIn(10) ? std::round(number(0.0, 2.0)) / 2.0 : number(0.0, 1.0));
+    const std::vector<std::uint32_t> output = runOnGpu("shared/prism_side.shared.h", R"(
+    put(0, beyondFan(in_(0), in_(1)));
+    put(1, stepWithinEdge(vec2(in_(3), in_(4)), vec2(in_(5), in_(6)), in_(2)));
+)",
+                                                       input, 7, 2);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* x = input.data() + 7 * i;
+        // A product and a difference of numbers up to 1/4, which may be joined.
+        ASSERT_NEAR(static_cast<double>(asFloat(output[2 * i])), static_cast<double>(shared::beyondFan(x[0], x[1])), std::ldexp(1.0, -24)) << "case " << i;
+        const double share = static_cast<double>(shared::stepWithinEdge({x[3], x[4]}, {x[5], x[6]}, x[2]));
+        const double steep = static_cast<double>(glm::length(vec2(x[5], x[6])));
+        if (std::abs(steep - 1e-6) < 1e-9) continue;  // where the edge may have ends or not
+        ASSERT_NEAR(static_cast<double>(asFloat(output[2 * i + 1])), share, std::ldexp(share, -19)) << "case " << i;
+    }
+}
 
 TEST_F(SharedNumerics, SweptBoundsPerspective) {
     constexpr std::size_t count = 10000;

@@ -13,6 +13,7 @@
 #include "shared/cubic.shared.h"
 #include "shared/facing.shared.h"
 #include "shared/moving_triangle.shared.h"
+#include "shared/prism_side.shared.h"
 #include "shared/sample_pattern.shared.h"
 #include "shared/segment_triangle.shared.h"
 #include "support/awkward_numbers.h"
@@ -20,7 +21,9 @@
 namespace timeshade {
 namespace {
 
+using glm::dvec2;
 using glm::dvec3;
+using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
@@ -222,6 +225,64 @@ bool timesStayInTheirStratum(AwkwardNumbers& numbers) {
            static_cast<double>(u) >= from - 1.2e-7 && static_cast<double>(u) <= to + 1.2e-7;
 }
 
+// ---- sides of prisms
+
+/// The point (s, u) of the fan's flat triangles, from the one that it lies in: two neighbouring corners and the centre.
+dvec3 fanPoint(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d, double s, double u) {
+    const dvec3 centre = 0.25 * (a + b + c + d);
+    const double x = s - 0.5, y = u - 0.5, share = 2.0 * std::max(std::abs(x), std::abs(y));  // 0 in the centre, 1 on the edges
+    if (share == 0.0) return centre;
+    const double along = 0.5 + (std::abs(x) > std::abs(y) ? y : x) / share;
+    const dvec3 edge = std::abs(x) > std::abs(y) ? (x < 0.0 ? glm::mix(a, c, along) : glm::mix(b, d, along))
+                                                 : (y < 0.0 ? glm::mix(a, b, along) : glm::mix(c, d, along));
+    return glm::mix(centre, edge, share);
+}
+
+bool fanAndTwistMakeTheSide(AwkwardNumbers& numbers) {
+    const dvec3 a(numbers.point()), b(numbers.point()), c(numbers.point()), d(numbers.point());
+    float s = numbers.unit(), u = numbers.unit();
+    if (numbers.oneIn(4)) u = numbers.near(numbers.oneIn(2) ? s : 1.0f - s);  // where two of the triangles meet
+    if (numbers.oneIn(8)) s = static_cast<float>(numbers.below(3)) / 2.0f;
+    u = std::clamp(u, 0.0f, 1.0f);
+    const double p = static_cast<double>(s), q = static_cast<double>(u);
+    const dvec3 twist = (a - b) - (c - d), side = a + p * (b - a) + q * (c - a) + p * q * twist;
+    const float beyond = shared::beyondFan(s, u);
+    const dvec3 off = side - (fanPoint(a, b, c, d, p, q) + static_cast<double>(beyond) * twist);
+    const double most = std::max({glm::length(a), glm::length(b), glm::length(c), glm::length(d), 1.0});
+    return std::abs(beyond) <= 0.0625f && glm::length(off) <= std::ldexp(4.0 * most, -24);
+}
+
+/// No point of the texel that the edge itself can pass is passed at a time farther away than the shortened step's; of an edge that slides along
+/// itself the step is not longer than the edge.
+bool stepEndsWithTheEdge(AwkwardNumbers& numbers) {
+    const auto slope = [&] {
+        const float size = std::exp2(static_cast<float>(static_cast<int>(numbers.below(41)) - 20));
+        const float x = size * numbers.coordinate(), y = size * numbers.coordinate();
+        return vec2(std::abs(x) < 1e-9f ? 0.0f : x, std::abs(y) < 1e-9f ? 0.0f : y);
+    };
+    const vec2 placeSlope = slope();
+    const bool slides = numbers.oneIn(3);
+    const vec2 timeSlope = slides ? placeSlope * std::exp2(static_cast<float>(static_cast<int>(numbers.below(21)) - 10)) : slope();
+    const float place = numbers.oneIn(8) ? static_cast<float>(numbers.below(2)) : numbers.unit();
+    const double share = static_cast<double>(shared::stepWithinEdge(timeSlope, placeSlope, place));
+    if (!(share >= 0.0 && share <= 1.0)) return false;
+    const dvec2 t(timeSlope), g(placeSlope);
+    const double p = static_cast<double>(place), over = 0.5 * (std::abs(t.x) + std::abs(t.y)), most = share * over * (1.0 + std::ldexp(1.0, -20));
+    const auto reaches = [&](const dvec2& step) {  // as far as the edge goes in this direction
+        const double change = glm::dot(g, step), room = change > 0.0 ? 1.0 - p : p;
+        return std::abs(glm::dot(t, step)) * (std::abs(change) > room ? room / std::abs(change) : 1.0) <= most;
+    };
+    for (const dvec2& corner : {dvec2(0.5, 0.5), dvec2(-0.5, 0.5), dvec2(0.5, -0.5), dvec2(-0.5, -0.5)})
+        if (!reaches(corner)) return false;
+    for (int i = 0; i < 4; ++i) {
+        const double along = static_cast<double>(numbers.between(-0.5f, 0.5f)), end = numbers.oneIn(2) ? 0.5 : -0.5;
+        if (!reaches(numbers.oneIn(2) ? dvec2(along, end) : dvec2(end, along))) return false;
+    }
+    const double steep = glm::length(g);
+    if (!slides || steep < 2e-6) return true;
+    return share * over <= std::min(over, std::max(p, 1.0 - p) * glm::length(t) / steep) * (1.0 + 1e-5) + 1e-6 * glm::length(t);
+}
+
 TEST(Volume, EdgeSides) { EXPECT_EQ(firstFailure(5000000, 1, edgeIsWithinItsBound), -1); }
 TEST(Volume, SegmentsAndTriangles) {
     EXPECT_EQ(firstFailure(4000000, 2, [](AwkwardNumbers& n) { return segmentDecidesAsExactArithmetic(awkwardSegmentAndTriangle(n)); }), -1);
@@ -235,6 +296,8 @@ TEST(Volume, Cubics) {
 }
 TEST(Volume, EdgeFunctions) { EXPECT_EQ(firstFailure(4000000, 5, edgeFunctionsAreWithinTheirBound), -1); }
 TEST(Volume, DepthRates) { EXPECT_EQ(firstFailure(2000000, 8, depthRateIsTheDerivative), -1); }
+TEST(Volume, PrismSides) { EXPECT_EQ(firstFailure(2000000, 9, fanAndTwistMakeTheSide), -1); }
+TEST(Volume, StepsWithinEdges) { EXPECT_EQ(firstFailure(2000000, 10, stepEndsWithTheEdge), -1); }
 TEST(Volume, SampleTimes) { EXPECT_EQ(firstFailure(4000000, 6, timesStayInTheirStratum), -1); }
 
 // The same properties for inputs that RapidCheck makes and, where one fails, shrinks: whole numbers over powers of two.

@@ -16,7 +16,7 @@ namespace {
 /// As many prisms as are drawn by one call: their vertices are numbered by 16 bits.
 constexpr std::size_t prismsPerCall = 2048;
 constexpr std::size_t verticesPerPrism = 9, indicesPerPrism = 42;
-constexpr std::size_t bytesPerFragment = 16;
+constexpr std::size_t bytesPerFragment = 20;
 
 /// Fourteen triangles over the nine vertices of prism.vert. The last vertex of each says what the triangle is.
 std::vector<std::uint16_t> prismIndices() {
@@ -52,7 +52,7 @@ ContiguousRanges::ContiguousRanges(gl::ProgramCache& programs)
       ids_("range triangles", GL_RG32UI),
       times_("range times", GL_RG32F),
       distances_("range distances", GL_RG32F),
-      slopes_("range time slopes", GL_RG32UI),
+      slopes_("range slopes", GL_RGBA32UI),
       counts_("range counts", sizeof(DeviceCounts)),
       indices_("prism indices", std::span<const std::uint16_t>(prismIndices())),
       none_("prisms"),

@@ -1,40 +1,95 @@
-// One texel of a prism's surface: when the triangle comes or goes there, and at which distance. Drawn twice, without and
-// with FILL: to count the fragments of each texel, and to put them into its list.
+// One texel of a prism's surface: when the triangle comes or goes there, at which distance, and how both change from there to the rest of
+// the texel. Drawn twice, without and with FILL: to count the fragments of each texel, and to put them into its list.
 #include "lib/blocks.glsl"
 #include "lib/cell_lists.glsl"
 #include "techniques/ranges/prism_parts.glsl"
 
 #ifdef FILL
 in float prismTime;
+in vec3 prismCorners;
 #ifdef LIGHT_ORTHOGRAPHIC
 in float prismDistance;
 #endif
 flat in uint prismId;
 flat in uint prismPart;
+flat in uint prismMoves;
+flat in vec3 prismTwist;
 
+#include "lib/texel_width.glsl"
+#include "shared/prism_side.shared.h"
 #include "techniques/ranges/fragment_lists.glsl"
-#endif
 
-#ifdef FILL
-// How the time changes from texel to texel. Nothing at the caps; a surface seen edge on has no slope that can be told.
-uint timeSlope() {
-    vec2 slope = vec2(dFdx(prismTime), dFdy(prismTime));
-    bool finite = all(lessThan(abs(slope), vec2(1e4)));  // false for what is no number, too
-    return packHalf2x16(prismPart == PART_SIDE && finite ? slope : vec2(0.0));
+struct SurfacePoint {
+    float time;
+    float distance;
+    vec2 timeSlope;  // change per texel
+    vec2 rise;       // of the distance, per texel
+};
+
+SurfacePoint interpolatedPoint() {
+    SurfacePoint p;
+    p.time = prismTime;
+#ifdef LIGHT_ORTHOGRAPHIC
+    p.distance = prismDistance;
+#else
+    p.distance = 1.0 / gl_FragCoord.w;
+#endif
+    p.timeSlope = vec2(dFdx(p.time), dFdy(p.time));
+    p.rise = vec2(dFdx(p.distance), dFdy(p.distance));
+    return p;
+}
+
+// A side is bilinear, and what is drawn are four flat triangles. From the point of the side with this point's place and time, which another texel
+// sees, back to the texel's centre, along the slopes here. Where that would take longer than the fan is ever off in time for an edge that moves
+// more than it turns, slopes say nothing of what is so far away.
+void moveToSide(inout SurfacePoint p, float place) {
+    const float longest = 1.0 / 16.0;
+    vec3 beyond = beyondFan(place, p.time) * prismTwist;
+#ifdef LIGHT_ORTHOGRAPHIC
+    vec2 away = beyond.xy * lightView.size;
+#else
+    vec2 away = (beyond.xy * lightView.size - gl_FragCoord.xy * beyond.z) / (p.distance + beyond.z);
+#endif
+    float later = -dot(p.timeSlope, away);
+    float share = min(1.0, longest / max(abs(later), 1e-20));
+    p.time = clamp(p.time + share * later, 0.0, 1.0);
+    p.distance += share * (beyond.z - dot(p.rise, away));
+}
+
+// Slopes are followed to the rest of the texel as far as the triangle's edge is long: an edge that slides along itself would else cover the
+// texel for as long as the line through it does, with the plane of a triangle that has long gone by.
+void holdToEdge(inout SurfacePoint p, float place, vec2 placeSlope) {
+    float share = stepWithinEdge(p.timeSlope, placeSlope, place);
+    p.timeSlope *= share;
+    p.rise *= share;
+}
+
+// Two halves each; distances in texels, so that the size of the world does not matter.
+uvec2 packedSlopes(SurfacePoint p) {
+    const float largestHalf = 65504.0;
+    return uvec2(packHalf2x16(p.timeSlope), packHalf2x16(clamp(p.rise / texelWidth(p.distance), -largestHalf, largestHalf)));
 }
 #endif
 
 void main() {
     uint slot = listSlot(uint(gl_FragCoord.y) * frame.mapSize + uint(gl_FragCoord.x));
 #ifdef FILL
-    // At the caps the time is known; interpolating it would only round it.
-    fragmentTimes[slot] = prismPart == PART_SIDE ? clamp(prismTime, 0.0, 1.0) : float(prismPart - PART_OPEN);
+    SurfacePoint p = interpolatedPoint();
+    float place = 1.0 - prismCorners[max(prismPart, PART_SIDE) - PART_SIDE];
+    vec2 placeSlope = vec2(dFdx(place), dFdy(place));
+    bool seenFlat = all(lessThan(abs(p.timeSlope), vec2(1e4))) && all(lessThan(abs(p.rise), vec2(1e15)));  // false for what is no number, too
+    if (prismPart < PART_SIDE) {
+        p.time = float(prismPart - PART_OPEN);  // known; interpolating it would only round it
+        p.timeSlope = vec2(0.0);
+    } else if (seenFlat) {
+        moveToSide(p, place);
+        holdToEdge(p, place, placeSlope);
+    }
+    if (!seenFlat) p.timeSlope = p.rise = vec2(0.0);  // seen edge on: no slope that can be told
+    if (prismMoves == 0u) p.rise = vec2(0.0);  // no more than an ordinary map knows: the answers must not depend on the plan
+    fragmentTimes[slot] = clamp(p.time, 0.0, 1.0);
+    fragmentDistances[slot] = p.distance;
+    fragmentSlopes[slot] = packedSlopes(p);
     fragmentIds[slot] = prismId;
-    fragmentSlopes[slot] = timeSlope();
-#ifdef LIGHT_ORTHOGRAPHIC
-    fragmentDistances[slot] = prismDistance;
-#else
-    fragmentDistances[slot] = 1.0 / gl_FragCoord.w;
-#endif
 #endif
 }

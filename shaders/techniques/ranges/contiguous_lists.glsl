@@ -3,7 +3,7 @@ layout(binding = RANGES_OFFSETS_UNIT) uniform usamplerBuffer listOffsets;
 // A range is two places of each array, its beginning and its end: one texel.
 layout(binding = RANGES_TIMES_UNIT) uniform samplerBuffer rangeTimes;
 layout(binding = RANGES_DISTANCES_UNIT) uniform samplerBuffer rangeDistances;
-layout(binding = RANGES_SLOPES_UNIT) uniform usamplerBuffer rangeSlopes;
+layout(binding = RANGES_SLOPES_UNIT) uniform usamplerBuffer rangeSlopes;  // of time and distance at the beginning, at the end
 layout(binding = RANGES_IDS_UNIT) uniform usamplerBuffer rangeIds;
 
 // First range of the texel's list, and the one behind its last.
@@ -12,9 +12,9 @@ ivec2 listOf(ivec2 texel) {
     return ivec2(texelFetch(listOffsets, list).x, texelFetch(listOffsets, list + 1).x) / 2;
 }
 
-// Is a triangle other than `own` nearer to the light than `depth` at time u, in this texel? The times of a range are those of
+// Is a triangle other than `own` nearer to the light than `depth` at time u, in this texel? Times and distances of a range are those of
 // the texel's centre; the prism's surface says how they change from there to the receiver, which places an edge that sweeps over
-// texels more finely than the texels are. Distances are linear in u along the centre's ray, and carried on a little beyond.
+// texels more finely than the texels are. Between the two ends, distances are linear in u.
 bool nearerThan(MapPoint m, float depth, ivec2 texel, uint own, float u) {
     ivec2 list = listOf(texel);
     vec2 offset = m.position * lightView.size - (vec2(texel) + 0.5);
@@ -22,10 +22,12 @@ bool nearerThan(MapPoint m, float depth, ivec2 texel, uint own, float u) {
     // No branches inside: where pixels run in step, each would be taken by all.
     for (int range = list.x; range < list.y && !found; ++range) {
         vec2 times = texelFetch(rangeTimes, range).xy, distances = texelFetch(rangeDistances, range).xy;
-        uvec2 slopes = texelFetch(rangeSlopes, range).xy;
-        float begin = times.x + dot(offset, unpackHalf2x16(slopes.x)), end = times.y + dot(offset, unpackHalf2x16(slopes.y));
-        float share = clamp((u - times.x) / max(times.y - times.x, 1e-20), -1.0, 2.0);
-        found = begin <= u && u <= end && depth > mix(distances.x, distances.y, share) && texelFetch(rangeIds, range).x != own;
+        uvec4 slopes = texelFetch(rangeSlopes, range);
+        float begin = times.x + dot(offset, unpackHalf2x16(slopes.x)), end = times.y + dot(offset, unpackHalf2x16(slopes.z));
+        float first = distances.x + texelWidth(distances.x) * dot(offset, unpackHalf2x16(slopes.y));
+        float last = distances.y + texelWidth(distances.y) * dot(offset, unpackHalf2x16(slopes.w));
+        float distance = mix(first, last, (u - begin) / max(end - begin, 1e-20));
+        found = begin <= u && u <= end && depth > distance && texelFetch(rangeIds, range).x != own;
     }
     return found;
 }

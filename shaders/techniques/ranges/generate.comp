@@ -43,7 +43,8 @@ void inspect(uint first, uint last, out bool sorted, out bool even) {
 
 void sortFragments(uint first, uint last) {
     for (uint i = first + 1u; i < last; ++i) {
-        uint id = fragmentIds[i], slope = fragmentSlopes[i], place = i;
+        uint id = fragmentIds[i], place = i;
+        uvec2 slope = fragmentSlopes[i];
         float time = fragmentTimes[i], distance = fragmentDistances[i];
         while (place > first) {
             uint otherId = fragmentIds[place - 1u];
@@ -62,12 +63,12 @@ void sortFragments(uint first, uint last) {
     }
 }
 
-void putRange(uint place, uint id, vec2 times, vec2 distances, uvec2 slopes) {
+void putRange(uint place, uint id, vec2 times, vec2 distances, uvec4 slopes) {
     for (uint i = 0u; i < 2u; ++i) {
         fragmentIds[place + i] = id;
         fragmentTimes[place + i] = times[i];
         fragmentDistances[place + i] = distances[i];
-        fragmentSlopes[place + i] = slopes[i];
+        fragmentSlopes[place + i] = i == 0u ? slopes.xy : slopes.zw;
     }
 }
 
@@ -91,17 +92,17 @@ void pairOddList(uint first, uint last, uint room) {
         for (uint pair = 0u; pair < pairs; ++pair) {
             uint i = from + 2u * pair;
             putRange(to, id, vec2(fragmentTimes[i], fragmentTimes[i + 1u]), vec2(fragmentDistances[i], fragmentDistances[i + 1u]),
-                     uvec2(fragmentSlopes[i], fragmentSlopes[i + 1u]));
+                     uvec4(fragmentSlopes[i], fragmentSlopes[i + 1u]));
             to += 2u;
         }
         begin = end;
     }
     if (lone && to + 1u < room) {
-        putRange(to, loneId, loneTimes, loneDistance, uvec2(0u));
+        putRange(to, loneId, loneTimes, loneDistance, uvec4(0u));
         to += 2u;
     }
     for (; to < room; to += 2u) {
-        putRange(to, 0u, vec2(2.0, -1.0), vec2(0.0), uvec2(0u));  // holds no time
+        putRange(to, 0u, vec2(2.0, -1.0), vec2(0.0), uvec4(0u));  // holds no time
         atomicAdd(emptyRanges, 1u);
     }
 }

@@ -3,6 +3,7 @@
 // COVERAGE_MAP: tuples wholly behind a triangle that covers the texel all through the shutter are left out.
 #include "lib/cell_lists.glsl"
 #include "lib/only_if.glsl"
+#include "lib/texel_width.glsl"
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/moving_triangle.glsl"
 
@@ -28,12 +29,7 @@ const float MOST_PIECES = 8.0;
 
 float pieces(float begin, float middle, float end) {
     float bend = abs(middle - 0.5 * (begin + end));
-#ifdef LIGHT_ORTHOGRAPHIC
-    float texel = frame.lightCone.w;
-#else
-    float texel = frame.lightCone.w * middle;
-#endif
-    return clamp(ceil(sqrt(bend / (MOST_BEND * texel))), 1.0, MOST_PIECES);
+    return clamp(ceil(sqrt(bend / (MOST_BEND * texelWidth(middle)))), 1.0, MOST_PIECES);
 }
 
 void main() {
