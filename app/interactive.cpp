@@ -28,6 +28,7 @@
 #include "window/settings_io.h"
 #include "window/ui_dump.h"
 #include "window/ui_window.h"
+#include "window/window_memory.h"
 
 namespace timeshade {
 
@@ -37,8 +38,12 @@ namespace {
 constexpr int framesAfterActivity = 3;
 constexpr double longestSleep = 0.25;  // seconds; notices end by themselves
 
-WindowOptions windowOptions(const Options& options) {
+WindowOptions windowOptions(const Options& options, const WindowMemory& memory) {
     WindowOptions window;
+    if (memory.width > 0 && memory.height > 0) {
+        window.width = memory.width;
+        window.height = memory.height;
+    }
     // Options start with the size of a headless picture.
     const Options untouched;
     if (options.width != untouched.width || options.height != untouched.height) {
@@ -53,8 +58,14 @@ WindowOptions windowOptions(const Options& options) {
 /// The window from its first frame to its last.
 class Interactive {
   public:
-    Interactive(const Options& options, std::unique_ptr<Scene> scene, const WindowContext& context)
-        : window_(context.handle()), ui_(window_), session_(options, std::move(scene), context.backEnd()) {}
+    Interactive(const Options& options, std::unique_ptr<Scene> scene, const WindowContext& context, MemoryFile& memory)
+        : window_(context.handle()), ui_(window_), memory_(memory), session_(options, std::move(scene), context.backEnd()) {
+        const WindowMemory& before = memory_.atStart();
+        session_.textScale = before.textScale;
+        session_.sections = before.sections;
+        for (auto path = before.recentScenes.rbegin(); path != before.recentScenes.rend(); ++path) session_.remember(*path);
+        session_.remember(session_.sceneName);
+    }
 
     void run() {
         while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
@@ -64,6 +75,7 @@ class Interactive {
             if (width > 0 && height > 0) drawFrame(width, height);
         }
         session_.recording.stop(session_);
+        memory_.finish();
     }
 
     Session& session() { return session_; }
@@ -78,9 +90,11 @@ class Interactive {
     DisplayImage pictureToSave();
     std::string manifestToSave();
     void handleSettings();
+    void keepLayout();
 
     GLFWwindow* window_;
     UiWindow ui_;
+    MemoryFile& memory_;
     Session session_;
     UiDump dump_;
     PictureMouse mouse_;
@@ -117,12 +131,13 @@ void Interactive::drawFrame(int width, int height) {
     if (applyKeys(session_, keys)) glfwSetWindowShouldClose(window_, GLFW_TRUE);
     const Layout layout = layoutOf(ImGui::GetIO().DisplaySize, ui_.scale(), session_.panelsVisible);
     mouse_.apply(session_, layout.picture);
-    Widgets widgets(dump_, ui_.scale());
+    Widgets widgets(dump_, ui_.scale(), session_.sections);
     drawSidePanel(session_, widgets, layout.side);
     drawTransportBar(session_, widgets, layout.transport);
     drawOverlays(session_, widgets, layout.picture);
     session_.applyWishes();
     handleSettings();
+    keepLayout();
 
     const auto pixels = [&](float units) { return std::clamp(static_cast<int>(std::lround(units * ui_.pixelsPerUnit())), 1, maximumImageSide); };
     session_.request.width = pixels(layout.picture.size.x);
@@ -227,6 +242,13 @@ void Interactive::handleSettings() {
     session_.wishedLoad.reset();
 }
 
+void Interactive::keepLayout() {
+    WindowMemory memory{0, 0, session_.textScale, session_.sections, session_.recentScenes};
+    glfwGetWindowSize(window_, &memory.width, &memory.height);
+    memory_.keep(memory, session_.now);
+    if (const std::optional<std::string> complaint = memory_.takeComplaint()) session_.notify(*complaint, true);
+}
+
 void Interactive::reportState(int width, int height) {
     const FrameDriver& driver = session_.driver;
     const std::string title = fmt::format("Timeshade: {}, {}{}", std::filesystem::path(session_.sceneName).filename().string(),
@@ -238,6 +260,7 @@ void Interactive::reportState(int width, int height) {
     dump_.state("window", {width, height});
     dump_.state("scale", ui_.scale());
     dump_.state("scene", session_.sceneName);
+    dump_.state("clip", session_.scene->clips().empty() ? "" : session_.scene->clips()[session_.scene->clip()]);
     dump_.state("technique", session_.technique->description().name);
     dump_.state("frame", session_.playback.frame());
     dump_.state("playing", session_.playback.playing());
@@ -289,11 +312,12 @@ int runInteractive(const Options& options) {
     std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     const FrameRequest request = requestFor(options, *scene);
 
-    const WindowContext context(windowOptions(options));
+    MemoryFile memory;
+    const WindowContext context(windowOptions(options, memory.atStart()));
     std::optional<gl::DebugLog> log;
     if (options.debugGl) log.emplace();
     {
-        Interactive interactive(options, std::move(scene), context);
+        Interactive interactive(options, std::move(scene), context, memory);
         Session& session = interactive.session();
         if (options.explain) {
             fmt::print("{}", explain(session.planner->plan(request), *session.technique, session.renderer.device()));

@@ -23,6 +23,13 @@ void drawCaseList(Session& session, Widgets& widgets) {
     if (current > 0) widgets.paragraph(caseScenes()[current - 1].summary, theme::quiet);
 }
 
+void drawClipList(Session& session, Widgets& widgets) {
+    const std::vector<std::string>& clips = session.scene->clips();
+    if (clips.size() < 2) return;
+    const auto chosen = widgets.combo("scene.clip", "Clip", clips, session.scene->clip(), "Which of the file's animations plays.");
+    if (chosen && *chosen != session.scene->clip()) session.wishedClip = clips[*chosen];
+}
+
 } // namespace
 
 void drawScenePanel(Session& session, Widgets& widgets) {
@@ -49,6 +56,7 @@ void drawScenePanel(Session& session, Widgets& widgets) {
         if (const auto chosen = widgets.combo("scene.recent", "", recent, 0, ""))
             if (*chosen > 0) session.wishedScene = session.recentScenes[*chosen - 1];
     }
+    drawClipList(session, widgets);
     if (!session.sceneError.empty()) {
         widgets.paragraph(session.sceneError, theme::bad);
         widgets.dump().lastItem("scene.error", session.sceneError);

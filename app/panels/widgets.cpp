@@ -80,7 +80,13 @@ std::string titleOfKey(const std::string& key) {
 
 bool Widgets::section(const std::string& id, const char* title, bool open) {
     ImGui::Dummy({0.0f, 1.0f * scale_});
-    const bool unfolded = ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    const auto other = sections_.find(id);
+    const bool atFirst = other == sections_.end() ? open : other->second;
+    const bool unfolded = ImGui::CollapsingHeader(title, atFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    if (unfolded == open)
+        sections_.erase(id);
+    else
+        sections_[id] = unfolded;
     dump_.lastItem(id, unfolded);
     return unfolded;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@ enum class Icon { Play, Pause, StepBack, StepForward, Reset, Close };
 /// Ids are unique in the window; they name the control for ImGui and in the dump.
 class Widgets {
   public:
-    Widgets(UiDump& dump, float scale) : dump_(dump), scale_(scale) {}
+    /// `sections`: those that are not as `open` says, by id; kept up to date.
+    Widgets(UiDump& dump, float scale, std::map<std::string, bool>& sections) : dump_(dump), scale_(scale), sections_(sections) {}
 
     float scale() const { return scale_; }
     UiDump& dump() { return dump_; }
@@ -30,7 +32,7 @@ class Widgets {
         std::string help;
     };
 
-    /// A heading that folds what follows. False while folded.
+    /// A heading that folds what follows. False while folded. `open`: whether it is unfolded at a first start.
     bool section(const std::string& id, const char* title, bool open);
     bool slider(const std::string& id, const std::string& label, double& value, const Number& number);
     bool slider(const std::string& id, const std::string& label, int& value, const Number& number);
@@ -56,6 +58,7 @@ class Widgets {
 
     UiDump& dump_;
     float scale_;
+    std::map<std::string, bool>& sections_;
 };
 
 /// "dynamic_bias" as "Dynamic bias".

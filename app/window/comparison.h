@@ -35,6 +35,10 @@ class Comparison {
     const gl::Texture* picture() const { return on() && driver_ ? driver_->picture() : nullptr; }
     /// The difference of both, once they are whole; null before and in other modes.
     const gl::Texture* difference() const { return difference_ ? &*difference_ : nullptr; }
+    /// As FrameDriver::warmUp, for the second picture.
+    void warmUp() {
+        if (driver_) driver_->warmUp();
+    }
     /// Both are all that they can be.
     bool settled(const Session& session) const;
     /// Seconds that the window may sleep; nothing if only a change can bring work.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
+#include "frame/warm_up.h"
 #include "window/moment_key.h"
 
 namespace timeshade {
@@ -59,7 +61,7 @@ bool FrameDriver::update(const Wanted& wanted, double now) {
     const bool better = refine_ && !moving && state_ != State::Failed;
     if (changed) toMeasure_ = 0;
     if (changed || better) {
-        toSettle_ = wanted.technique->settlingFrames();
+        toSettle_ = wanted.once ? 0 : wanted.technique->settlingFrames();
         begin(wanted, level);
     } else if (toMeasure_ > 0 && state_ == State::Complete && level_ == 0) {
         --toMeasure_;
@@ -83,6 +85,7 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
     try {
         picture_ = nullptr;
         hasPlan_ = false;
+        if (level == 0 && std::exchange(warmUp_, false)) drawWarmUp(renderer_, *wanted.planner, *wanted.technique, wanted.request, wanted.view);
         FramePlan plan = wanted.planner->plan(quality_.reduced(wanted.request, level));
         renderer_.begin(std::move(plan), *wanted.technique, wanted.view, wanted.techniqueView);
         hasPlan_ = true;
@@ -148,6 +151,8 @@ void FrameDriver::cancel() {
 void FrameDriver::resume() {
     if (state_ == State::Cancelled) state_ = State::Drawing;
 }
+
+void FrameDriver::warmUp() { warmUp_ = refine_ = true; }
 
 void FrameDriver::measure(int pictures) {
     forgetTimes();

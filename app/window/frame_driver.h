@@ -26,6 +26,7 @@ class FrameDriver {
         int shaders = 0;      ///< a number that changes with the programs
         bool moving = false;  ///< it plays, or a mouse button is held
         bool hurry = false;   ///< the full picture at once, whatever moves
+        bool once = false;    ///< no picture a second time, however much better it would become
     };
 
     enum class State {
@@ -42,6 +43,8 @@ class FrameDriver {
     /// Keeps what has been drawn of a brute-force picture, until something changes or resume() is called.
     void cancel();
     void resume();
+    /// Draws the full picture anew as the first of a sequence: before it the frames that a technique with a history needs.
+    void warmUp();
     /// Draws the full picture so many times more for its figures, unless something changes first.
     void measure(int pictures);
     bool measuring() const { return toMeasure_ > 0; }
@@ -81,6 +84,7 @@ class FrameDriver {
     int level_ = 0;
     bool refine_ = false;
     bool hasPlan_ = false;
+    bool warmUp_ = false;  ///< before the next picture
     int toMeasure_ = 0;
     int toSettle_ = 0;  ///< draws of the same moment still to come, for a technique with a history
     int begun_ = 0;

@@ -40,6 +40,8 @@ void Recording::start(Session& session) {
     session.playback.play(false);
     try {
         sink_ = std::make_unique<VideoFile>(path_, format);
+        session.driver.warmUp();
+        session.comparison.warmUp();
     } catch (const std::exception& error) {
         fail(session, error.what());
     }

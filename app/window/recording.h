@@ -10,7 +10,7 @@ namespace timeshade {
 struct Session;
 
 /// The window's own recording: every frame of the playback drawn whole, one after the other, from the one that is shown when it
-/// begins. How long a frame takes makes no difference.
+/// begins, with what `record` draws before that. How long a frame takes makes no difference.
 class Recording {
   public:
     bool on() const { return sink_ != nullptr; }

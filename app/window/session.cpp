@@ -39,11 +39,19 @@ void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
     if (request.cameraPose) camera.emplace(*request.cameraPose, scene->bounds());
     technique->forget();
     if (comparison.on()) comparison.technique()->forget();
-    savedViews.clear();
     const bool playing = playback.playing();
     playback.setLoop(scene->duration(), request.shutter.framesPerSecond);
     playback.jump(request.frame);
     playback.play(playing);
+    remember(name);
+}
+
+void Session::remember(const std::string& name) {
+    if (!name.ends_with(".gltf") && !name.ends_with(".glb")) return;
+    const std::string path = std::filesystem::absolute(name).lexically_normal().string();
+    std::erase(recentScenes, path);
+    recentScenes.insert(recentScenes.begin(), path);
+    recentScenes.resize(std::min<std::size_t>(recentScenes.size(), 8));
 }
 
 SceneRecipe* Session::keptRecipe(const std::string& name) {
@@ -70,21 +78,43 @@ void Session::openWished(const std::string& name) {
         options.camera.clear();
         options.pose.reset();
         options.clip.clear();
-        options.frame.reset();
-        options.seconds.reset();
         options.framesPerSecond.reset();
         options.shutterLength.reset();
-        options.samplesPerPixel = request.samplesPerPixel;
-        options.mapSize = request.mapSize;
-        options.seed = request.seed;
-        options.instant = instant;
-        options.shutterPosition = request.shutter.position;
+        keepPicture();
+        savedViews.clear();
         adopt(std::move(opened), name);
         sceneError.clear();
-        if (!name.ends_with(".gltf") && !name.ends_with(".glb")) return;
-        std::erase(recentScenes, name);
-        recentScenes.insert(recentScenes.begin(), name);
-        recentScenes.resize(std::min<std::size_t>(recentScenes.size(), 8));
+    } catch (const std::exception& error) {
+        sceneError = error.what();
+    }
+}
+
+void Session::keepPicture() {
+    options.frame.reset();
+    options.seconds.reset();
+    options.samplesPerPixel = request.samplesPerPixel;
+    options.mapSize = request.mapSize;
+    options.seed = request.seed;
+    options.instant = instant;
+    options.shutterPosition = request.shutter.position;
+}
+
+void Session::openClip(const std::string& name) {
+    try {
+        std::unique_ptr<Scene> opened = openScene(sceneName, name);
+        options.camera.clear();
+        options.pose.reset();
+        options.clip = name;
+        options.framesPerSecond = request.shutter.framesPerSecond;
+        options.shutterLength = request.shutter.length;
+        keepPicture();
+        // The same scene, seen from where it was; only its time is another.
+        const std::optional<OrbitCamera> held = camera;
+        const std::size_t cameraIndex = request.cameraIndex;
+        adopt(std::move(opened), sceneName);
+        camera = held;
+        request.cameraIndex = std::min(cameraIndex, scene->cameras().size() - 1);
+        sceneError.clear();
     } catch (const std::exception& error) {
         sceneError = error.what();
     }
@@ -114,6 +144,7 @@ void Session::become(const Options& wanted) {
     view = options.view;
     techniqueView = options.techniqueView;
     diagnostic = options.diagnostic;
+    savedViews.clear();
     adopt(std::move(opened), options.scene);
     adoptComparison();
     sceneError.clear();
@@ -194,11 +225,14 @@ void Session::chooseWished(const std::string& name) {
 void Session::applyWishes() {
     if (wishedScene)
         openWished(*wishedScene);
+    else if (wishedClip)
+        openClip(*wishedClip);
     else if (wishedRebuild)
         rebuild();
     if (wishedTechnique) chooseWished(*wishedTechnique);
     compareWished();
     wishedScene.reset();
+    wishedClip.reset();
     wishedRebuild = false;
     wishedTechnique.reset();
 }
@@ -223,7 +257,7 @@ FrameDriver::Wanted Session::wanted(bool mouseHeld) {
     // Another technique, or another setting of it, may not have the view.
     if (std::find(names.begin(), names.end(), viewName()) == names.end()) techniqueView.clear();
     const FrameRequest drawn = instant ? atInstant(request, *instant) : request;
-    return {planner.get(), technique.get(), sceneNumber, drawn, view, techniqueView, shaderNumber, playback.playing() || mouseHeld, wishedScreenshot || recording.on()};
+    return {planner.get(), technique.get(), sceneNumber, drawn, view, techniqueView, shaderNumber, playback.playing() || mouseHeld, wishedScreenshot || recording.on(), recording.on()};
 }
 
 CameraPose Session::currentPose() const {

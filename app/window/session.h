@@ -63,6 +63,8 @@ struct Session {
     /// Another object stands in for the technique.
     void techniqueChanged() { figures_.clear(); }
     void useSceneCamera(std::size_t index);
+    /// Puts a scene that is a file in front of the recent ones.
+    void remember(const std::string& name);
     void setShutter(const Shutter& shutter);
     void notify(std::string text, bool bad = false);
     /// "timeshade-SCENE-TECHNIQUE-0012.png"
@@ -82,7 +84,7 @@ struct Session {
     std::vector<std::string> shaderLog;  ///< empty while all programs are as their files say
     int shaderNumber = 0;                ///< changes with the programs
     std::string settingsPath = "timeshade-settings.json";  ///< what is typed in the field of settings files
-    std::vector<std::string> recentScenes;  ///< files opened in this window, the last first
+    std::vector<std::string> recentScenes;  ///< absolute paths of files that were opened, the last first
     std::string scenePath;   ///< what is typed in the field
     std::string sceneError;  ///< one line, why the last one could not be opened
 
@@ -109,6 +111,7 @@ struct Session {
     std::string accuracyOther;  ///< the technique that equal time and equal error choose
 
     std::optional<std::string> wishedScene, wishedTechnique;
+    std::optional<std::string> wishedClip;  ///< of the scene that is shown
     bool wishedRebuild = false;  ///< the recipe's settings have changed
     bool wishedScreenshot = false;
     bool wishedRecording = false;  ///< start or stop
@@ -123,6 +126,7 @@ struct Session {
     bool panelsVisible = true;
     bool keysVisible = false;
     bool pageVisible = false;  ///< of the technique
+    std::map<std::string, bool> sections;  ///< of the side panel: unfolded or not, where that is not as at a first start
     double textScale = 1.0;  ///< the user's own, on top of the display's
     std::string lastScreenshot;
     int screenshots = 0;  ///< saved so far
@@ -132,6 +136,9 @@ struct Session {
   private:
     void adopt(std::unique_ptr<Scene> newScene, const std::string& name);
     void openWished(const std::string& name);
+    void openClip(const std::string& name);
+    /// Samples, map and all else that the next scene is to be drawn with, too, into the options.
+    void keepPicture();
     void rebuild();
     SceneRecipe* keptRecipe(const std::string& name);
     void chooseWished(const std::string& name);

@@ -2,6 +2,7 @@
 
 #include "image/file_bytes.h"
 #include "measure/sha256.h"
+#include "measure/user_folder.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <bit>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <system_error>
 #include <tuple>
@@ -123,23 +123,13 @@ Kind kindOf(const fs::path& file) {
     return file.extension() == ".part" ? Kind::leftover : Kind::foreign;
 }
 
-fs::path environmentPath(const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr ? value : "";
-}
-
 } // namespace
 
 ReferenceCache::ReferenceCache(fs::path folder, std::uintmax_t maximumBytes)
     : folder_(std::move(folder)), maximumBytes_(maximumBytes) {}
 
 fs::path ReferenceCache::defaultFolder() {
-    // The XDG base directory specification: paths that are not absolute are to be ignored.
-    if (const fs::path cache = environmentPath("XDG_CACHE_HOME"); cache.is_absolute()) {
-        return cache / "timeshade";
-    }
-    const fs::path home = environmentPath("HOME");
-    return home.is_absolute() ? home / ".cache" / "timeshade" : fs::path();
+    return userFolder("XDG_CACHE_HOME", ".cache");
 }
 
 fs::path ReferenceCache::fileOf(const std::string& key, int width, int height) const {

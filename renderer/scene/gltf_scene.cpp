@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <new>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,10 +43,16 @@ void deformInstances(const Stage& stage, const Pose& pose, bool movingOnes, std:
     }
 }
 
+/// What the file can play, by names that differ, and what it does play.
+struct ClipNames {
+    std::vector<std::string> all;
+    std::size_t chosen = 0;
+};
+
 class GltfScene final : public Scene {
   public:
-    GltfScene(std::string name, const Model& model, NodeMotion motion, Stage stage, Looks looks, std::vector<std::string> notes)
-        : name_(std::move(name)), motion_(std::move(motion)), stage_(std::move(stage)), looks_(std::move(looks)),
+    GltfScene(std::string name, const Model& model, ClipNames clips, NodeMotion motion, Stage stage, Looks looks, std::vector<std::string> notes)
+        : name_(std::move(name)), clips_(std::move(clips)), motion_(std::move(motion)), stage_(std::move(stage)), looks_(std::move(looks)),
           notes_(std::move(notes)), clock_(0.0, true) {
         positions_.resize(stage_.topology->vertexCount);
         normals_.resize(stage_.topology->vertexCount);
@@ -76,6 +84,8 @@ class GltfScene final : public Scene {
     const std::vector<Image>& images() const override { return looks_.images; }
     const std::vector<CameraBookmark>& cameras() const override { return views_.names; }
     const Bounds& bounds() const override { return bounds_; }
+    const std::vector<std::string>& clips() const override { return clips_.all; }
+    std::size_t clip() const override { return clips_.chosen; }
     const std::vector<std::string>& notes() const override { return notes_; }
 
     CameraPose camera(std::size_t index, double seconds) const override {
@@ -99,6 +109,7 @@ class GltfScene final : public Scene {
     bool loops() const;
 
     std::string name_;
+    ClipNames clips_;
     NodeMotion motion_;
     Stage stage_;
     Looks looks_;
@@ -202,23 +213,34 @@ MotionMesh GltfScene::motionMesh(double openSeconds, double closeSeconds) const 
     return mesh;
 }
 
-Clip chooseClip(const Model& model, const std::string& wanted, std::vector<std::string>& notes) {
+/// The clips' names; where one comes again, "walk (2)", so that each can be asked for.
+std::vector<std::string> unlikeNames(const std::vector<Clip>& clips) {
+    std::set<std::string> taken;
+    std::map<std::string, int> times;
+    std::vector<std::string> names;
+    for (const Clip& clip : clips) {
+        std::string name = clip.name;
+        while (!taken.insert(name).second) name = fmt::format("{} ({})", clip.name, ++times.try_emplace(clip.name, 1).first->second);
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+Clip chooseClip(const Model& model, const std::string& wanted, ClipNames& names, std::vector<std::string>& notes) {
     std::vector<Clip> clips;
     KeyCache cache;
     std::vector<std::vector<std::string>> clipNotes(model.animations.size());
     for (std::size_t i = 0; i < model.animations.size(); ++i) clips.push_back(readClip(model, i, cache, clipNotes[i]));
-    std::size_t chosen = 0;
+    names.all = unlikeNames(clips);
     if (!wanted.empty()) {
-        std::vector<std::string> names;
-        for (const Clip& clip : clips) names.push_back(clip.name);
-        chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin());
-        if (chosen == names.size())
-            throw Error(fmt::format("has no clip \"{}\"; {}", oneLine(wanted), names.empty() ? std::string("it has none at all")
-                                                                                              : fmt::format("it has: {}", fmt::join(names, ", "))));
+        names.chosen = static_cast<std::size_t>(std::find(names.all.begin(), names.all.end(), wanted) - names.all.begin());
+        if (names.chosen == names.all.size())
+            throw Error(fmt::format("has no clip \"{}\"; {}", oneLine(wanted), clips.empty() ? std::string("it has none at all")
+                                                                                              : fmt::format("it has: {}", fmt::join(names.all, ", "))));
     }
     if (clips.empty()) return {};
-    notes.insert(notes.end(), clipNotes[chosen].begin(), clipNotes[chosen].end());
-    return std::move(clips[chosen]);
+    notes.insert(notes.end(), clipNotes[names.chosen].begin(), clipNotes[names.chosen].end());
+    return std::move(clips[names.chosen]);
 }
 
 std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions& options) {
@@ -230,10 +252,11 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
 
     std::vector<std::string> notes;
     auto geometries = readGeometries(model, Budget{options.maxTriangles}, notes);
-    NodeMotion motion(model, chooseClip(model, options.clip, notes), notes);
+    ClipNames clips;
+    NodeMotion motion(model, chooseClip(model, options.clip, clips, notes), notes);
     Looks looks = readLooks(model, files, notes);
     Stage stage = buildStage(model, motion, std::move(geometries), static_cast<std::uint32_t>(looks.materials.size() - 1), notes);
-    auto scene = std::make_unique<GltfScene>(path.stem().string(), model, std::move(motion), std::move(stage), std::move(looks), std::move(notes));
+    auto scene = std::make_unique<GltfScene>(path.stem().string(), model, std::move(clips), std::move(motion), std::move(stage), std::move(looks), std::move(notes));
     std::vector<std::string> defaultNotes;
     const SceneDefaults defaults = readDefaults(document.json, model.scene, scene->duration(), defaultNotes);
     scene->setDefaults(defaults, std::move(defaultNotes));

@@ -65,6 +65,12 @@ class Scene {
     }
     /// Bounds over the whole clip (sampled), never empty; what cameras, lights and origins are fitted to.
     virtual const Bounds& bounds() const = 0;
+    /// Names of the clips of the file, no two alike, and the place among them of the one that plays. Empty where there are none.
+    virtual const std::vector<std::string>& clips() const {
+        static const std::vector<std::string> none;
+        return none;
+    }
+    virtual std::size_t clip() const { return 0; }
     /// Notes for the user, one line each: things of the file that are left out or replaced.
     virtual const std::vector<std::string>& notes() const = 0;
     /// What it was made from, for reports; empty for a file, which says all by itself.

@@ -89,7 +89,7 @@ class HeadlessPanels {
         ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
         ImGui::NewFrame();
         const Layout layout = layoutOf(ImGui::GetIO().DisplaySize, 1.0f, true);
-        Widgets widgets(dump_, 1.0f);
+        Widgets widgets(dump_, 1.0f, session.sections);
         drawSidePanel(session, widgets, layout.side);
         drawTransportBar(session, widgets, layout.transport);
         drawOverlays(session, widgets, layout.picture);

@@ -135,6 +135,22 @@ TEST(GltfMotion, ClipsByName) {
     EXPECT_DOUBLE_EQ(cornerAt(*loaded(file), 0.5), 1.0);
     EXPECT_DOUBLE_EQ(cornerAt(*loaded(file, {.clip = "two"}), 0.5), 2.0);
     EXPECT_THROW(loaded(file, {.clip = "three"}), Error);
+    EXPECT_EQ(loaded(file)->clips(), (std::vector<std::string>{"one", "two"}));
+    EXPECT_EQ(loaded(file)->clip(), 0u);
+    EXPECT_EQ(loaded(file, {.clip = "two"})->clip(), 1u);
+}
+
+TEST(GltfMotion, ClipsOfOneNameCanBeToldApart) {
+    GltfFile file = movingQuad();
+    file.animate(0, "translation", {0, 1}, file.vec3s({1, 0, 0, 1, 0, 0}));
+    for (const char* name : {"walk", "walk (2)", "walk"}) {
+        file.json["animations"].push_back(file.json["animations"][0]);
+        file.json["animations"].back()["name"] = name;
+    }
+    file.json["animations"][0].erase("name");
+    file.json["animations"][3]["samplers"][0]["output"] = file.vec3s({4, 0, 0, 4, 0, 0});
+    EXPECT_EQ(loaded(file)->clips(), (std::vector<std::string>{"animation_0", "walk", "walk (2)", "walk (3)"}));
+    EXPECT_DOUBLE_EQ(cornerAt(*loaded(file, {.clip = "walk (3)"}), 0.5), 4.0);
 }
 
 TEST(GltfMotion, AnimatedMatrixNodesAreTakenApart) {

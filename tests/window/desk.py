@@ -85,7 +85,8 @@ class Window:
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="timeshade-window-"))
         self.dump_path = self.folder / "ui.json"
         self.errors = open(self.folder / "stderr", "w+b")
-        self.environment = {**os.environ, "DISPLAY": display.name, "TIMESHADE_UI_SCALE": "1", "TIMESHADE_UI_DUMP": str(self.dump_path)}
+        self.environment = {**os.environ, "DISPLAY": display.name, "TIMESHADE_UI_SCALE": "1", "TIMESHADE_UI_DUMP": str(self.dump_path),
+                            "XDG_CONFIG_HOME": str(self.folder / "config")}
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.environment.update(environment)
         self.process = subprocess.Popen([PROGRAM, "view", *arguments], cwd=self.folder, env=self.environment,
@@ -103,7 +104,7 @@ class Window:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def hand(self, *arguments):
-        return subprocess.run(["xdotool", *arguments], env=self.environment, check=True, capture_output=True, text=True, timeout=30).stdout
+        return subprocess.run(["xdotool", *arguments], env=self.environment, check=True, capture_output=True, text=True, timeout=120).stdout
 
     def standard_error(self):
         self.errors.seek(0)

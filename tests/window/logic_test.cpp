@@ -6,12 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "panels/widgets.h"
+#include "scene/error.h"
 #include "window/frame_times.h"
 #include "window/layout.h"
 #include "window/mouse_queue.h"
 #include "window/orbit_camera.h"
 #include "window/playback.h"
 #include "window/preview_quality.h"
+#include "window/window_memory.h"
 
 namespace timeshade {
 namespace {
@@ -227,6 +229,28 @@ TEST(Titles, OfSettings) {
     EXPECT_EQ(titleOfKey("dynamic_bias"), "Dynamic bias");
     EXPECT_EQ(titleOfKey("pcf_radius"), "PCF radius");
     EXPECT_EQ(titleOfKey(""), "");
+}
+
+TEST(WindowMemory, ComesBackAsItWas) {
+    const WindowMemory memory{1100, 640, 1.25, {{"section.plan", true}, {"section.camera", false}}, {"/a/\xff.glb", "/a/b.glb"}};
+    WindowMemory read = memoryOfJson(jsonOf(memory), "F.json");
+    EXPECT_EQ(read.recentScenes.size(), 2u) << "a name that is not UTF-8 is no reason to fail";
+    read.recentScenes[0] = memory.recentScenes[0];
+    EXPECT_EQ(read, memory);
+    EXPECT_EQ(memoryOfJson(jsonOf({1, 1, 1.0, {}, {}}), "F.json"), WindowMemory{}) << "nobody wants such a window again";
+    EXPECT_EQ(memoryOfJson(R"({"of a later version": [1]})", "F.json"), WindowMemory{});
+}
+
+TEST(WindowMemory, WhatMakesNoSenseIsNamed) {
+    for (const char* text : {"", "[]", "{", R"({"size": 5})", R"({"size": [1, 2]})", R"({"size": [1000, "wide"]})", R"({"size": [9e99, 700]})",
+                             R"({"text_size": 90})", R"({"sections": {"section.plan": "open"}})", R"({"sections": []})", R"({"recent": [1]})"}) {
+        try {
+            memoryOfJson(text, "F.json");
+            FAIL() << text;
+        } catch (const Error& error) {
+            EXPECT_TRUE(std::string(error.what()).starts_with("F.json: ")) << error.what();
+        }
+    }
 }
 
 } // namespace

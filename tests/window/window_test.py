@@ -1,5 +1,6 @@
 """The real window, used as a person uses it."""
 
+import json
 import os
 import pathlib
 import re
@@ -206,6 +207,74 @@ class Time(WindowTest):
         self.close(window)
 
 
+    def test_a_recording_begins_as_record_does(self):
+        """With what a history learns from the frames before the first, and not from standing still on it."""
+        window = self.open("chess", "--technique", "history", "--frame", "14", "--set", "history.warm_up=3", *QUICK, "--size", "600x380", "--compare", "history,static")
+        window.settle(compared=True)
+        window.key("ctrl+r")
+        window.wait(lambda d: d["state"]["recording"][1] >= 3, "three frames", 60)
+        window.key("ctrl+r")
+        state = window.wait(lambda d: d["state"]["recorded"], "the file")["state"]
+        count = state["recording"][1]
+        window.key("ctrl+c")
+        command = window.wait(lambda d: d["state"]["command"], "the command")["state"]["command"]
+        command = command.replace(" shot ", " record ").replace(f"--frame={14 + count}", "--frame=14").split(" -o ")[0]
+        headless(f"{command} --frames {count} -o again.mp4", window.folder)
+        frames = [subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-f", "framemd5", "-"], check=True, capture_output=True, text=True).stdout
+                  for path in (state["recorded"], window.folder / "again.mp4")]
+        self.assertEqual(frames[0], frames[1], command)
+        self.close(window)
+
+
+class Layout(WindowTest):
+    def test_it_survives_from_run_to_run(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="timeshade-config-"))
+        self.addCleanup(shutil.rmtree, folder, ignore_errors=True)
+        quick = ("--technique", "static", *QUICK[2:])
+        file = folder / "timeshade/window.json"
+        window = self.open("chess", *quick, XDG_CONFIG_HOME=str(folder))
+        window.settle(window=[1280, 720])
+        shutil.copy(pathlib.Path(__file__).parents[2] / "assets/scenes/pillars.glb", folder / "my pillars.glb")
+        window.resize(1100, 640)
+        self.assertFalse(window.widget("section.plan")["value"])
+        window.click("section.plan")
+        window.click("section.camera")
+        window.wait(lambda d: d["widgets"]["section.plan"]["value"] and not d["widgets"]["section.camera"]["value"], "the sections")
+        window.choose("text.size", "125 %")
+        window.wait(lambda d: d["state"]["scale"] == 1.25, "larger text")
+        self.close(window)
+        again = self.open(str(folder / "my pillars.glb"), *quick, XDG_CONFIG_HOME=str(folder))
+        again.settle(window=[1100, 640], scale=1.25)
+        self.assertTrue(again.widget("section.plan")["value"])
+        self.assertFalse(again.widget("section.camera")["value"])
+        # Kept while it runs, too.
+        again.wait(lambda d: "my pillars.glb" in file.read_text(), "the file")
+        again.process.kill()
+        again.process.wait()
+        last = self.open("chess", *quick, "--size", "900x600", XDG_CONFIG_HOME=str(folder))
+        last.settle(window=[900, 600])
+        last.choose("scene.recent", "my pillars.glb")
+        last.settle(scene=str(folder / "my pillars.glb"))
+        self.close(last)
+
+    def test_a_file_that_is_no_good_is_one_notice(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="timeshade-config-"))
+        self.addCleanup(shutil.rmtree, folder, ignore_errors=True)
+        (folder / "timeshade").mkdir()
+        (folder / "timeshade/window.json").write_text('{"size": [1000, "wide"]}')
+        window = self.open("chess", "--technique", "static", *QUICK[2:], XDG_CONFIG_HOME=str(folder))
+        window.wait(lambda d: "wide" in str(d["widgets"].get("notice", {}).get("value")), "a notice")
+        window.settle(window=[1280, 720])
+        self.close(window)
+        # No folder can be where a file is.
+        (folder / "occupied").write_text("")
+        window = self.open("chess", "--technique", "static", *QUICK[2:], XDG_CONFIG_HOME=str(folder / "occupied"))
+        window.wait(lambda d: "occupied" in str(d["widgets"].get("notice", {}).get("value")), "a notice")
+        window.resize(900, 600)
+        window.settle(window=[900, 600])
+        self.close(window)
+
+
 class Pages(WindowTest):
     def test_the_technique_s_page_and_files_opened_before(self):
         window = self.open("chess", "--technique", "tsm", *QUICK)
@@ -214,16 +283,62 @@ class Pages(WindowTest):
         window.wait(lambda d: d["widgets"].get("page", {}).get("value") == "tsm", "the page")
         window.key("i")
         window.wait(lambda d: "page" not in d["widgets"], "no page")
-        scenes = pathlib.Path(__file__).parents[2] / "assets/scenes"
+        shutil.copy(pathlib.Path(__file__).parents[2] / "assets/scenes/octopus.glb", window.folder)
         window.click("scene.path")
-        window.type(f"{scenes}/octopus.glb")
+        window.type("octopus.glb")
         window.click("scene.open")
         window.wait(lambda d: d["state"]["scene"].endswith("octopus.glb"), "the file")
         window.choose("scene", "pillars")
         window.settle(scene="pillars")
         window.frames(3)  # the list stands lower than before
         window.choose("scene.recent", "octopus.glb")
-        window.wait(lambda d: d["state"]["scene"].endswith("octopus.glb"), "the file again")
+        window.settle(scene=str(window.folder / "octopus.glb"))
+        self.close(window)
+
+
+def with_clips(source, target, clips):
+    """A .glb file again, with clips of given names, each with the channels of the first clip for which a function of node names holds."""
+    data = source.read_bytes()
+    length = struct.unpack_from("<I", data, 12)[0]
+    document = json.loads(data[20:20 + length])
+    whole = document["animations"][0]
+    names = [node.get("name", "") for node in document["nodes"]]
+    document["animations"] = [{**whole, "name": name, "channels": [c for c in whole["channels"] if wanted(names[c["target"]["node"]])]}
+                              for name, wanted in clips.items()]
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    rest = data[20 + length:]
+    target.write_bytes(struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), 0x4e4f534a) + text + rest)
+
+
+class Clips(WindowTest):
+    def test_the_clips_of_a_file(self):
+        window = self.open("pillars", "--technique", "static", *QUICK, "--size", "900x800")
+        with_clips(pathlib.Path(__file__).parents[2] / "assets/scenes/chess.glb", window.folder / "game.glb",
+                   {"all": lambda node: True, "the knight": lambda node: "knight" in node})
+        window.settle(clip="motion")
+        self.assertNotIn("scene.clip", window.dump()["widgets"])
+        window.click("scene.path")
+        window.type("game.glb")
+        window.key("Return")
+        window.settle(scene="game.glb", clip="all")
+        window.drag(700, 300, 730, 310)
+        frame = window.settle(hand_camera=True)["state"]["frame"]
+        whole = window.look_at_picture()
+        window.choose("scene.clip", "the knight")
+        state = window.settle(clip="the knight", scene="game.glb")["state"]
+        self.assertTrue(state["hand_camera"], "seen from where it was")
+        other = window.look_at_picture()
+        self.assertGreater(other.share_different(whole), 0.001, "the queen stands still")
+        self.assertLess(other.share_different(whole), 0.2, "the board stays where it is")
+        window.choose("scene.clip", "all")
+        window.settle(clip="all", frame=frame)
+        self.assertEqual(window.look_at_picture().share_different(whole, 0), 0)
+        window.choose("scene.clip", "the knight")
+        window.settle(clip="the knight")
+        window.key("ctrl+c")
+        command = window.wait(lambda d: d["state"]["command"], "the command")["state"]["command"]
+        self.assertIn("the knight", command)
         self.close(window)
 
 
