@@ -6,7 +6,26 @@
 SHARED_BEGIN
 
 #define MAP_TRIANGLES_UNIT 14    // texture unit: the triangles that this frame's map saw
-#define HISTORY_STRATUM_BITS 5  // the age of a texel is kept above the number of its stratum
+#define MOVER_FLAGS_UNIT 15      // buffer texture, R8UI: 1 for every triangle that has moved
+#define RESTS_UNIT 4             // R32UI: until when a pixel rests, and where in the light's map it lies
+
+// Of a texel of the history, in one float's 24 bits: the number of its stratum, how often in a row its tests were sure, its age.
+#define HISTORY_STRATUM_BITS 5
+#define HISTORY_SURE_BITS 3
+#define HISTORY_LARGEST_SURE 7u
+#define HISTORY_LARGEST_AGE 65535.0
+
+// A pixel that has learned enough rests: it is asked every second, fourth, ... frame, tile by tile in turn. In one number: the first and the last cell
+// that its samples fall in, of REST_SIDE x REST_SIDE over the light's map plane, 7 bits a coordinate; above them the power of two.
+#define REST_SIDE 128
+#define REST_CELL_BITS 7
+#define REST_PERIOD_SHIFT 28
+#define REST_NEVER_ASKED 15u     // nothing is left to learn
+#define REST_SURE_AFTER 4u       // tests in a row that were sure of every sample;
+#define REST_PERIOD_SURE 5u      // then every thirty-second frame
+#define REST_DOUBT_AFTER 12.0    // tests of which some were not: an edge is near;
+#define REST_PERIOD_DOUBT 4u     // then every sixteenth frame
+#define REST_TILE 8              // pixels along a side that rest together
 
 // Frames' worth of weight, at most; keeps a float's sum exact enough to go on for ever. Twice that stands for proof.
 #define HISTORY_LARGEST_WEIGHT 4096.0
@@ -35,7 +54,10 @@ struct HistoryBlock {
     uint keepsProof;         // 1: what is proven dark stays so until something moves
     float moverMaskSize;     // texels along a side of the mask of moving casters; 0: no mask
     uint awaitsProof;        // 1: and there is time to find it, so that an edge that is missed means lit
-    uint padding;
+    uint mayRest;            // 1: what has learned enough is not asked in every frame
+    uint round;              // frames since the camera came to rest
+    uint framesDue;          // of resting pixels those are asked whose turn is in one of so many frames
+    uint padding0, padding1;
 };
 
 /// Equation 5 of Scherzer, Jeschke, Wimmer 2007: 1 where the point falls on a texel's centre, 0 on a texel's border, by the
@@ -62,6 +84,6 @@ SHARED_END
 
 #ifdef __cplusplus
 namespace timeshade::shared {
-static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 4 * 16, "std140 layout changed: fix both readers");
+static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 5 * 16, "std140 layout changed: fix both readers");
 }
 #endif

@@ -1,5 +1,6 @@
 // Nothing old or broken is ever shown by the technique `history`.
 #include <limits>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -16,12 +17,12 @@ TEST(HistoryBroken, NothingThatIsNoNumberSurvives) {
     FramePlanner planner(*scene);
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     for (const bool published : {false, true})
-        for (const double step : {0.0, 1.0}) {  // held; with a camera that moves
+        for (const auto& [step, frames] : {std::pair(0.0, 3), std::pair(0.0, 20), std::pair(1.0, 3)}) {  // held; until pixels rest; with a camera that moves
             const auto after = [&](const glm::vec4& poison) {
                 const auto technique = makeHistory();
                 setFromText(*technique, "as_published", published ? "on" : "off");
                 FrameRequest request = stillRequest(24, 18, 32);
-                for (int frame = 0; frame < 3; ++frame, request.frame += step) drawnLit(planner.plan(request), *technique);
+                for (int frame = 0; frame < frames; ++frame, request.frame += step) drawnLit(planner.plan(request), *technique);
                 fill(technique->written(), poison);
                 return drawnLit(planner.plan(request), *technique);
             };

@@ -15,6 +15,9 @@ namespace {
 /// Frames' worth of weight that the past brings while the camera moves: long enough against flicker, short enough to follow.
 constexpr float movingMemory = 8.0f;
 constexpr float stillMemory = 4096.0f;
+/// So many frames after the last movement every pixel has had tests enough to rest; then those that are due in four frames are asked in one, since the map
+/// costs as much as they.
+constexpr int framesToRest = 12, framesAtOnce = 4;
 /// How fast what is shown is drawn to 0 and 1 once the camera stands: with the square of the frames.
 constexpr float sharpenPerFrame = 1.0f;
 
@@ -93,13 +96,14 @@ SamplingTraits HistoryShadow::samplingTraits() const {
 std::vector<PassDecision> HistoryShadow::passes(const FramePlan& plan) const {
     static constexpr const char* rasters[] = {"the same raster every frame", "a raster shifted within a texel", "a raster shifted and turned"};
     std::vector<PassDecision> passes{
-        {"history", fmt::format("{} frames before the picture's and {} repetitions of it are drawn first; 2 x 16 bytes a pixel", warmUp_, hold_), 0},
+        {"history", fmt::format("{} frames before the picture's and {} repetitions of it are drawn first; 2 x 16 bytes a pixel, and 8 + 4 a sample while the camera stands", warmUp_, hold_), 0},
         {"build", fmt::format("one ordinary shadow map with {}, at u = 0.5 where time goes on{}", rasters[jitter_],
                               triesTriangles() ? "; 8 bytes a texel, with its triangles" : ""), plan.motion.triangles}};
     if (!asPublished_ && plan.motion.movingTriangles > 0)
         passes.push_back({"mask", "what moves, seen from the light: pixels behind it lose their past", plan.motion.movingTriangles});
     if (!asPublished_ && plan.motion.lightMoves) passes.push_back({"mask", "the light moves: every frame begins anew", 0});
-    passes.push_back({"lookup", "all samples of a pixel against that map, merged with the pixel's past", 0});
+    passes.push_back({"lookup", triesTriangles() ? "all samples of a pixel against that map, merged with the pixel's past; while the camera stands, of pixels that still learn"
+                                                 : "all samples of a pixel against that map, merged with the pixel's past", 0});
     return passes;
 }
 
@@ -120,6 +124,7 @@ void HistoryShadow::allocate(const FramePlan& plan) {
     if (!mask_) mask_.emplace(programs_);
     if (!block_) block_.emplace("history block", sizeof(shared::HistoryBlock));
     if (!target_) target_.emplace("history target");
+    if (!asked_) asked_.emplace("pixels asked");
 }
 
 /// The triangles as they were, for finding a receiver's place a frame ago.
@@ -135,6 +140,13 @@ void HistoryShadow::uploadPrevious() {
         uploadedPrevious_ = texels;
     }
     previousView_->bind(TECHNIQUE_UNIT + 2);
+}
+
+/// Defines of techniques/history/map_test.glsl.
+gl::ShaderDefines HistoryShadow::mapTestDefines(const FramePlan& plan) const {
+    gl::ShaderDefines defines = viewDefines(plan);
+    if (triesTriangles()) defines.emplace_back("TRIES_TRIANGLES", "1");
+    return defines;
 }
 
 shared::HistoryBlock HistoryShadow::blockOf(const FramePlan& plan) const {
@@ -165,15 +177,42 @@ shared::HistoryBlock HistoryShadow::blockOf(const FramePlan& plan) const {
     block.hasPast = (asPublished_ ? state_.before() != nullptr : sequel_.hasPast) ? 1u : 0u;
     block.triesTriangles = triesTriangles() ? 1u : 0u;
     // Then every instant of the shutter has the same answer.
-    block.keepsProof = triesTriangles() && plan.block.strata == 1 && plan.motion.movingTriangles == 0 && !plan.motion.lightMoves ? 1u : 0u;
+    block.keepsProof = keepsProof(plan) ? 1u : 0u;
+    block.mayRest = mayRest(plan) ? 1u : 0u;
+    block.framesDue = static_cast<std::uint32_t>(framesDue_);
+    block.round = static_cast<std::uint32_t>(sequel_.stillFrames);
     block.awaitsProof = block.keepsProof != 0u && sequel_.stillFrames > 0 ? 1u : 0u;
     block.moverMaskSize = sequel_.movers.empty() || asPublished_ ? 0.0f : static_cast<float>(MoverMask::sideFor(plan.request.mapSize));
     return block;
 }
 
+/// Whether a pixel may be known well enough not to be asked in each of the following frames. While a moment with motion in it is held every instant
+/// may have another answer.
+bool HistoryShadow::mayRest(const FramePlan& plan) const {
+    return triesTriangles() && sequel_.stillFrames > 0 && !(sequel_.heldFrames > 0 && (plan.motion.movingTriangles > 0 || plan.motion.lightMoves));
+}
+
+bool HistoryShadow::keepsProof(const FramePlan& plan) const {
+    return triesTriangles() && plan.block.strata == 1 && plan.motion.movingTriangles == 0 && !plan.motion.lightMoves;
+}
+
+int HistoryShadow::framesDue(const FramePlan& plan) const {
+    if (!mayRest(plan) || !resting_ || !resting_->known()) return 1;
+    if (sequel_.unmovedFrames >= framesToSettle) return 0;
+    if (keepsProof(plan) || sequel_.unmovedFrames < framesToRest) return 1;
+    return sequel_.unmovedFrames % framesAtOnce == 0 ? framesAtOnce : 0;
+}
+
+void HistoryShadow::forget() {
+    state_.forget();
+    if (resting_) resting_->forget();
+}
+
 void HistoryShadow::build(const TechniqueFrame& frame) {
     allocate(frame.plan);
     sequel_ = state_.follow(frame.plan, settingValues());
+    framesDue_ = framesDue(frame.plan);
+    if (framesDue_ == 0) return;
     const shared::HistoryBlock block = blockOf(frame.plan);
     block_->upload(std::span<const shared::HistoryBlock>(&block, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, TECHNIQUE_BLOCK_BINDING, block_->name());
@@ -186,26 +225,56 @@ void HistoryShadow::build(const TechniqueFrame& frame) {
 }
 
 void HistoryShadow::lookup(const TechniqueFrame& frame) {
-    gl::ShaderDefines defines = viewDefines(frame.plan);
+    if (framesDue_ == 0) return resting_->show(frame);
+    const bool movers = !sequel_.movers.empty() && !asPublished_, rests = mayRest(frame.plan);
+    if (!rests) {
+        resting_.reset();
+    } else {
+        if (!resting_) resting_.emplace(programs_);
+        resting_->allocate(frame);
+        if (!sequel_.hasPast) resting_->forget();
+    }
+    const bool wakes = rests && resting_->known();
+    if (wakes) {
+        const RestingPixels::Movers theirs{movers ? mask_->depth() : map_->depth(), movers ? mask_->flags() : frame.samples.ids()};
+        resting_->wake(frame, *buffers_[current_], movers ? &theirs : nullptr);
+        // What rests stays as it is; what is asked may want to read what another pixel is about to overwrite.
+        glCopyImageSubData(buffers_[current_]->name(), GL_TEXTURE_2D, 0, 0, 0, 0, buffers_[1 - current_]->name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                           buffers_[current_]->width(), buffers_[current_]->height(), 1);
+    } else {
+        current_ = 1 - current_;
+    }
+    const gl::Texture &past = *buffers_[1 - current_], &lit = rests ? resting_->answers() : frame.visibility.lit();
+    gl::ShaderDefines defines = mapTestDefines(frame.plan);
     if (sequel_.moved) defines.emplace_back("MOVED", "1");
     const gl::Program& program = programs_.get({"history lookup", "passes/fullscreen.vert", "techniques/history/lookup.frag", defines});
-    const gl::Texture &lit = frame.visibility.lit(), &past = *buffers_[current_];
-    current_ = 1 - current_;
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     map_->depth().bind(TECHNIQUE_UNIT);
-    // An integer texture in any case, as the shader declares it.
-    (map_->keepsTriangles() ? map_->triangles() : frame.samples.ids()).bind(MAP_TRIANGLES_UNIT);
+    if (map_->keepsTriangles()) map_->triangles().bind(MAP_TRIANGLES_UNIT);
     past.bind(TECHNIQUE_UNIT + 1);
     if (sequel_.moved) {
         previousView_->bind(TECHNIQUE_UNIT + 2);
-        (sequel_.movers.empty() || asPublished_ ? map_->depth() : mask_->depth()).bind(TECHNIQUE_UNIT + 3);
+        (movers ? mask_->depth() : map_->depth()).bind(TECHNIQUE_UNIT + 3);
+        if (movers) mask_->flags().bind(MOVER_FLAGS_UNIT);
     }
     glBindImageTexture(0, lit.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32F);
-    target_->setColorCount(1);
+    target_->setColorCount(rests ? 2 : 1);
     target_->attach(GL_COLOR_ATTACHMENT0, *buffers_[current_]);
+    if (rests) target_->attach(GL_COLOR_ATTACHMENT1, resting_->rests());
+    if (wakes) target_->attach(GL_DEPTH_ATTACHMENT, resting_->marks());
     target_->bindForDrawing(past.width(), past.height());
+    asked_->begin();
     frame.fullscreen.draw(program);
+    asked_->end();
+    if (rests) target_->detach(GL_COLOR_ATTACHMENT1);
+    if (wakes) {
+        target_->detach(GL_DEPTH_ATTACHMENT);
+        glDepthMask(GL_TRUE);
+        glDepthFunc(GL_GREATER);
+        glDisable(GL_DEPTH_TEST);
+    }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    if (rests) resting_->show(frame);
 }
 
 std::vector<TechniqueView> HistoryShadow::views() const {
@@ -219,12 +288,11 @@ void HistoryShadow::drawView(const TechniqueFrame& frame, const std::string& nam
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end() || !map_) return Technique::drawView(frame, name, values);
     const gl::Program& program =
-        programs_.get({"history view", "passes/fullscreen.vert", "techniques/history/view.frag", viewDefines(frame.plan)});
+        programs_.get({"history view", "passes/fullscreen.vert", "techniques/history/view.frag", mapTestDefines(frame.plan)});
     glBindBufferBase(GL_UNIFORM_BUFFER, TECHNIQUE_BLOCK_BINDING, block_->name());
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     map_->depth().bind(TECHNIQUE_UNIT);
-    // An integer texture in any case, as the shader declares it.
-    (map_->keepsTriangles() ? map_->triangles() : frame.samples.ids()).bind(MAP_TRIANGLES_UNIT);
+    if (map_->keepsTriangles()) map_->triangles().bind(MAP_TRIANGLES_UNIT);
     buffers_[current_]->bind(TECHNIQUE_UNIT + 1);
     program.use();
     glUniform1ui(0, static_cast<GLuint>(found - names.begin()));
@@ -236,7 +304,8 @@ void HistoryShadow::drawView(const TechniqueFrame& frame, const std::string& nam
 
 std::vector<TechniqueFigure> HistoryShadow::figures() const {
     return {{"frames with a still camera", static_cast<double>(sequel_.stillFrames), "frames", ""},
-            {"moving triangles", static_cast<double>(sequel_.movers.size()), "triangles", ""}};
+            {"moving triangles", static_cast<double>(sequel_.movers.size()), "triangles", ""},
+            {"pixels asked", asked_ && framesDue_ > 0 ? static_cast<double>(asked_->read()) : 0.0, "pixels", ""}};
 }
 
 std::vector<const gl::Texture*> HistoryShadow::textures() const {
@@ -247,7 +316,7 @@ std::vector<const gl::Texture*> HistoryShadow::textures() const {
 }
 
 std::size_t HistoryShadow::bytes() const {
-    std::size_t sum = (map_ ? map_->bytes() : 0) + (mask_ ? mask_->bytes() : 0) + (block_ ? block_->bytes() : 0) + (previous_ ? previous_->bytes() : 0);
+    std::size_t sum = (map_ ? map_->bytes() : 0) + (mask_ ? mask_->bytes() : 0) + (resting_ ? resting_->bytes() : 0) + (block_ ? block_->bytes() : 0) + (previous_ ? previous_->bytes() : 0);
     for (const auto& buffer : buffers_) sum += buffer ? buffer->bytes() : 0;
     return sum;
 }

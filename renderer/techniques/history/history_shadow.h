@@ -3,10 +3,12 @@
 #include <array>
 #include <optional>
 
+#include "gl/query.h"
 #include "passes/shadow_map.h"
 #include "shared/history.shared.h"
 #include "techniques/history/history_state.h"
 #include "techniques/history/mover_mask.h"
+#include "techniques/history/resting_pixels.h"
 #include "techniques/technique.h"
 
 namespace timeshade {
@@ -32,8 +34,12 @@ namespace timeshade {
 /// past, as all do when the light has moved. While a moment is held the map's instant runs through the shutter, so that blurred
 /// shadows converge to their mean; then all answers weigh alike.
 ///
-/// Memory: two buffers of 16 bytes a pixel, 8 bytes a texel of the map (4 without its triangles); 4 bytes a texel of the mask and a copy of the
-/// triangles once something has moved.
+/// And nothing is asked in vain: while the camera stands, pixels that have learned enough rest (RestingPixels) until something moves by them. With one
+/// sample a pixel and a closed shutter only those rest that are sure or proven, and an edge is asked about in every frame; else, where the answers are
+/// averaged, edges rest as well after twelve tests. Once nothing at all moves the map is drawn for four frames' pixels at a time, and not at all after 64.
+///
+/// Memory: two buffers of 16 bytes a pixel, 8 bytes a texel of the map (4 without its triangles); 4 bytes a texel of the mask, 5 a triangle and a copy of
+/// the triangles once something has moved; 8 bytes a pixel and 4 a camera sample while the camera stands.
 class HistoryShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -46,8 +52,8 @@ class HistoryShadow final : public Technique {
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     int warmUpFrames() const override { return warmUp_; }
     int heldFrames() const override { return hold_; }
-    int settlingFrames() const override { return 64; }
-    void forget() override { state_.forget(); }
+    int settlingFrames() const override { return framesToSettle; }
+    void forget() override;
     void build(const TechniqueFrame& frame) override;
     void lookup(const TechniqueFrame& frame) override;
     std::vector<TechniqueView> views() const override;
@@ -60,11 +66,17 @@ class HistoryShadow final : public Technique {
     const gl::Texture& written() const { return *buffers_[current_]; }
 
   private:
+    static constexpr int framesToSettle = 64;
     std::vector<double> settingValues();
     bool triesTriangles() const { return tryTriangles_ && !asPublished_ && pcfRadius_ == 0; }
     shared::HistoryBlock blockOf(const FramePlan& plan) const;
     void allocate(const FramePlan& plan);
     void uploadPrevious();
+    gl::ShaderDefines mapTestDefines(const FramePlan& plan) const;
+    bool mayRest(const FramePlan& plan) const;
+    bool keepsProof(const FramePlan& plan) const;
+    /// Frames whose due pixels are asked in this one; 0: none is, and nothing is drawn.
+    int framesDue(const FramePlan& plan) const;
 
     gl::ProgramCache& programs_;
     float m_ = 3.0f, mStep_ = 1.0f, mStill_ = 15.0f;
@@ -76,14 +88,17 @@ class HistoryShadow final : public Technique {
 
     HistoryState state_;
     FrameSequel sequel_;
+    int framesDue_ = 1;  ///< as framesDue said of the frame drawn last
     std::optional<ShadowMap> map_;
     std::optional<MoverMask> mask_;
+    std::optional<RestingPixels> resting_;
     std::optional<gl::Buffer> block_, previous_;
     std::optional<gl::Texture> previousView_;
     std::shared_ptr<const MeshTexels> uploadedPrevious_;
     std::array<std::optional<gl::Texture>, 2> buffers_;
     std::size_t current_ = 0;  ///< of the two: what was written last
     std::optional<gl::Framebuffer> target_;
+    std::optional<gl::FragmentCount> asked_;
 };
 
 } // namespace timeshade

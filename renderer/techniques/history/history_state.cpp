@@ -49,12 +49,15 @@ FrameSequel HistoryState::follow(const FramePlan& plan, const std::vector<double
         sequel.heldFrames = sameFrame ? past_->heldFrames + 1 : 0;
         sequel.stillFrames = sameCamera ? past_->stillFrames + 1 : 0;
         sequel.cameToRest = sameCamera && past_->cameraMoved;
+        sequel.unmovedFrames = sequel.hasPast && !sequel.moved ? past_->unmovedFrames + 1 : 0;
     }
     const double whole = std::floor(plan.request.frame);
-    sequel.index = static_cast<std::uint32_t>(static_cast<std::int64_t>(whole) & 0xffff) + static_cast<std::uint32_t>(sequel.heldFrames);
+    const std::uint32_t frame = static_cast<std::uint32_t>(static_cast<std::int64_t>(whole) & 0xffff) + static_cast<std::uint32_t>(sequel.heldFrames);
+    // Pixels that are asked in every 16th or 32nd frame must not always find the same half of a base 2 sequence: 17, 18 and 35 are no such steps.
+    sequel.index = frame + frame / 16 + frame / 32;
     before_ = goesOn ? std::move(past_) : std::nullopt;
     past_ = Past{plan.request, plan.mesh->topology, std::move(texels), {}, plan.lightOpen, plan.lightClose,
-                 settings, sequel.heldFrames, sequel.stillFrames, sequel.cameraMoved};
+                 settings, sequel.heldFrames, sequel.stillFrames, sequel.unmovedFrames, sequel.cameraMoved};
     past_->camera.open = plan.camera.open;
     past_->camera.close = plan.camera.close;
     return sequel;

@@ -15,10 +15,11 @@ struct FrameSequel {
     bool moved = false;        ///< the camera, or something in the scene
     bool cameraMoved = false;
     bool held = false;         ///< the very same moment again
-    std::uint32_t index = 0;   ///< number of the map's rasterisation: the frame's number, and one more for every repetition
+    std::uint32_t index = 0;   ///< number of the map's rasterisation: grows with the frame's number and every repetition of it
     int heldFrames = 0;        ///< how often the moment has been drawn before
     int stillFrames = 0;       ///< frames since the camera came to rest
     bool cameToRest = false;   ///< the frame before was the last of a movement of the camera
+    int unmovedFrames = 0;     ///< frames since anything moved at all, or since there was no past
     std::vector<std::uint32_t> movers;  ///< triangles that moved, in ascending order
 };
 
@@ -37,7 +38,7 @@ class HistoryState {
         ViewPlan camera;
         LightPose lightOpen, lightClose;
         std::vector<double> settings;
-        int heldFrames = 0, stillFrames = 0;
+        int heldFrames = 0, stillFrames = 0, unmovedFrames = 0;
         bool cameraMoved = false;
     };
     /// The frame that the last sequel followed; null where it had none.

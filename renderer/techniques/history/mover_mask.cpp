@@ -31,11 +31,17 @@ void MoverMask::draw(const FramePlan& plan, const Fullscreen& fullscreen, std::s
         target_->setColorCount(0);
         target_->attach(GL_DEPTH_ATTACHMENT, *depth_);
     }
-    if (!list_ || list_->bytes() < movers.size_bytes()) {
-        list_.emplace("movers", plan.mesh->topology->triangles.size() * sizeof(std::uint32_t));
+    const std::size_t triangles = plan.mesh->topology->triangles.size();
+    if (!flags_ || flags_->bytes() != triangles) {
+        list_.emplace("movers", triangles * sizeof(std::uint32_t));
         listView_ = gl::Texture::ofBuffer("movers", GL_R32UI, *list_);
+        flags_.emplace("flags of movers", triangles);
+        flagsView_ = gl::Texture::ofBuffer("flags of movers", GL_R8UI, *flags_);
     }
     list_->upload(movers);
+    std::vector<std::uint8_t> flags(triangles);
+    for (const std::uint32_t id : movers) flags[id] = 1;
+    flags_->upload(std::span<const std::uint8_t>(flags));
     listView_->bind(LARGE_TRIANGLES_UNIT);
     gl::ShaderDefines defines;
     if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");

@@ -26,13 +26,15 @@ class MoverMask {
     /// Texels along a side for a shadow map of the given size.
     static int sideFor(int mapSize) { return mapSize / 2; }
     const gl::Texture& depth() const { return *depth_; }
-    std::size_t bytes() const { return (depth_ ? depth_->bytes() : 0) + (list_ ? list_->bytes() : 0); }
+    /// A buffer's view, R8UI: 1 for every triangle of the list drawn last.
+    const gl::Texture& flags() const { return *flagsView_; }
+    std::size_t bytes() const { return (depth_ ? depth_->bytes() : 0) + (list_ ? list_->bytes() : 0) + (flags_ ? flags_->bytes() : 0); }
 
   private:
     gl::ProgramCache& programs_;
     std::optional<gl::Framebuffer> target_;
-    std::optional<gl::Texture> depth_, listView_;
-    std::optional<gl::Buffer> list_;
+    std::optional<gl::Texture> depth_, listView_, flagsView_;
+    std::optional<gl::Buffer> list_, flags_;
 };
 
 } // namespace timeshade

@@ -1,18 +1,24 @@
 // All camera samples of a pixel against this frame's map; their lit share is merged with what earlier frames knew of
 // the surface, and handed back to the samples so that the pixel's mean is the merged share.
 // MOVED: the camera or something in the scene has moved since the frame before, so that the past lies elsewhere.
+// TRIES_TRIANGLES: as in map_test.glsl; then it is said as well how long the pixel may rest.
 #include "techniques/history/map_test.glsl"
+#include "techniques/history/texel.glsl"
+
+layout(early_fragment_tests) in;  // or pixels that rest would be drawn
 
 layout(binding = PAST_UNIT) uniform sampler2D past;
 #ifdef MOVED
 layout(binding = PREVIOUS_POSITIONS_UNIT) uniform samplerBuffer previousPositions;
 layout(binding = MOVER_MASK_UNIT) uniform sampler2DArray moverMask;
+layout(binding = MOVER_FLAGS_UNIT) uniform usamplerBuffer moverFlags;
 #endif
 layout(r32f, binding = 0) uniform image2DArray visibility;
 
-// x: sum of weight times lit (as published: the smoothed lit). y: sum of weights; 0 where there is no past. z: distance of the
-// surface along the ray of its image position. w: frames merged and the number of the stratum it was seen in.
 layout(location = 0) out vec4 outputHistory;
+#ifdef TRIES_TRIANGLES
+layout(location = 1) out uint outputRest;
+#endif
 
 struct Seen {
     bool any;
@@ -20,15 +26,6 @@ struct Seen {
     uint stratum;
     Receiver receiver;
 };
-
-// Nothing that is not a number, not a share or not in front of the camera survives: every test fails for a NaN.
-bool plausible(vec4 h) {
-    return h.y > 0.0 && h.y <= HISTORY_PROVEN_WEIGHT && h.x >= 0.0 && h.x <= h.y * 1.00001 && h.z > 0.0 && h.z < 1e30 && h.w >= 0.0 && h.w < 1e7;
-}
-
-float ageOf(vec4 h) { return floor(h.w / float(1 << HISTORY_STRATUM_BITS)); }
-uint stratumOf(vec4 h) { return uint(h.w) & uint((1 << HISTORY_STRATUM_BITS) - 1); }
-float ageAndStratum(float age, uint stratum) { return min(age, 65535.0) * float(1 << HISTORY_STRATUM_BITS) + float(stratum); }
 
 #ifdef MOVED
 MovingTriangle fetchPrevious(uint id) {
@@ -41,17 +38,14 @@ MovingTriangle fetchPrevious(uint id) {
 
 mat3 previousRays(float u) { return mat3(history.previousRaysOpen) * (1.0 - u) + mat3(history.previousRaysClose) * u; }
 
-// Did anything move between the light and this point, in this frame's shutter, the last one's or between them?
-bool touchedByMover(Receiver r) {
-    MapPoint m = mapPointOf(r, r.time);
-    ivec2 texel = clamp(ivec2(floor(m.position * history.moverMaskSize)), ivec2(0), ivec2(history.moverMaskSize) - 1);
-    return m.depth >= 0.9999 * mapDistance(texelFetch(moverMask, ivec3(texel, 0), 0).x);
+// Did anything move between the light and this point, in this frame's shutter, the last one's or between them? A point that moves
+// itself is taken where the map sees it.
+bool touchedByMover(ShadowTest test) {
+    ivec2 texel = clamp(ivec2(floor(test.place * history.moverMaskSize)), ivec2(0), ivec2(history.moverMaskSize) - 1);
+    return test.depth >= 0.9999 * mapDistance(texelFetch(moverMask, ivec3(texel, 0), 0).x);
 }
 
-bool sameTriangle(MovingTriangle a, MovingTriangle b) {
-    return a.open0 == b.open0 && a.open1 == b.open1 && a.open2 == b.open2 && a.close0 == b.close0 && a.close1 == b.close1 &&
-           a.close2 == b.close2 && a.open0 == a.close0 && a.open1 == a.close1 && a.open2 == a.close2;
-}
+bool moves(uint id) { return history.moverMaskSize > 0.0 && texelFetch(moverFlags, int(id)).x != 0u; }
 
 // Equation 4, with the surface's own motion: where the surface point was one frame ago, and what was known of it. As
 // published only the camera is followed, and the distance is compared; else every one of the four texels must have seen
@@ -59,9 +53,9 @@ bool sameTriangle(MovingTriangle a, MovingTriangle b) {
 vec4 reprojected(Seen seen, uvec2 pixel, out bool receiverMoves) {
     bool published = history.asPublished != 0u;
     float u = seen.receiver.time;
-    MovingTriangle now = fetchTriangle(seen.id), before = now;
+    MovingTriangle before = fetchTriangle(seen.id);
     if (!published) before = fetchPrevious(seen.id);
-    receiverMoves = !sameTriangle(now, before) && !published;
+    receiverMoves = moves(seen.id);  // as published the mask is not made
     Receiver was = pointAt(before, seen.id, seen.receiver.barycentrics, u);
     mat3 rays = previousRays(u);
     vec3 eye = mix(history.previousEyeOpen.xyz, history.previousEyeClose.xyz, u);
@@ -79,6 +73,7 @@ vec4 reprojected(Seen seen, uvec2 pixel, out bool receiverMoves) {
     normal *= inversesqrt(max(dot(normal, normal), 1e-30));
     vec4 sum = vec4(0.0);
     float weights = 0.0, oldest = 1e7;
+    uint sure = HISTORY_LARGEST_SURE;
     for (int i = 0; i < 4; ++i) {
         ivec2 texel = corner + ivec2(i & 1, i >> 1);
         float weight = ((i & 1) == 0 ? 1.0 - part.x : part.x) * ((i >> 1) == 0 ? 1.0 - part.y : part.y);
@@ -93,10 +88,11 @@ vec4 reprojected(Seen seen, uvec2 pixel, out bool receiverMoves) {
         sum += weight * vec4(h.xy, off, 0.0);
         weights += weight;
         oldest = min(oldest, ageOf(h));
+        sure = min(sure, sureOf(h));
     }
     if (published && (weights < 0.999 || sum.z > history.threshold * q.z)) return vec4(0.0);
     if (weights < 1e-3) return vec4(0.0);
-    return vec4(sum.xy / weights, q.z, oldest * float(1 << HISTORY_STRATUM_BITS));
+    return vec4(sum.xy / weights, q.z, packedAge(oldest, sure, 0u));
 }
 #endif
 
@@ -110,25 +106,29 @@ float distanceOf(Receiver r, vec2 position) {
 #endif
 }
 
+#ifdef TRIES_TRIANGLES
+// For how long a pixel rests, after `tests` with a camera at rest of which the last `sure` were sure of every sample, and where it has to be woken.
+uint restOf(float tests, uint sure, bool nothingToLearn, vec2 low, vec2 high) {
+    uint period = history.keepsProof == 0u && tests >= REST_DOUBT_AFTER ? REST_PERIOD_DOUBT : 0u;
+    if (sure >= REST_SURE_AFTER) period = REST_PERIOD_SURE;
+    if (nothingToLearn) period = REST_NEVER_ASKED;
+    if (history.mayRest == 0u) period = 0u;
+    uvec2 first = uvec2(clamp(low * float(REST_SIDE), vec2(0.0), vec2(REST_SIDE - 1)));
+    uvec2 last = uvec2(clamp(high * float(REST_SIDE), vec2(0.0), vec2(REST_SIDE - 1)));
+    return first.x | (first.y << REST_CELL_BITS) | (last.x << (2 * REST_CELL_BITS)) | (last.y << (3 * REST_CELL_BITS)) | (period << REST_PERIOD_SHIFT);
+}
+#endif
+
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     outputHistory = vec4(0.0);
     Seen seen;
     seen.any = false;
-    bool touched = false;
+    bool touched = false, anyMoves = false, sure = true;
+    vec2 low = vec2(1.0), high = vec2(0.0);  // nowhere: the last cell before the first
     float tested = 0.0, litSum = 0.0, weightSum = 0.0, weightedLit = 0.0;
     uint facing = 0u;
     bool proven = history.keepsProof != 0u;
-#ifndef MOVED
-    if (proven && history.hasPast != 0u) {
-        vec4 before = texelFetch(past, ivec2(pixel), 0);
-        if (plausible(before) && before.y == HISTORY_PROVEN_WEIGHT) {
-            outputHistory = vec4(before.xyz, ageAndStratum(ageOf(before) + 1.0, stratumOf(before)));
-            imageStore(visibility, ivec3(pixel, 0), vec4(0.0));
-            return;
-        }
-    }
-#endif
     for (uint stratum = 0u; stratum < frame.strata; ++stratum) {
         ivec3 place = ivec3(pixel, stratum);
         uint id = texelFetch(sampleIds, place, 0).x;
@@ -136,24 +136,29 @@ void main() {
             imageStore(visibility, place, vec4(1.0));
             continue;
         }
+#ifdef MOVED
+        bool receiverMoves = moves(id);
+        anyMoves = anyMoves || receiverMoves;
+#endif
         MovingTriangle t = fetchTriangle(id);
         Receiver r = receiverOf(t, id, pixel, stratum);
         if (!facesLight(r)) {
             imageStore(visibility, place, vec4(0.0));
             continue;
         }
-        bool rests = true;
+        ShadowTest test = testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant);
 #ifdef MOVED
-        if (history.moverMaskSize > 0.0) {
-            touched = touched || touchedByMover(r);
-            rests = !touched && sameTriangle(t, fetchPrevious(id));
-        }
+        bool touchedHere = history.moverMaskSize > 0.0 && touchedByMover(test);
+        if ((touchedHere || receiverMoves) && test.guessedDark) test.lit = 0.0;
+        touched = touched || touchedHere;
 #endif
-        ShadowTest test = testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant, rests);
         float weight = max(confidenceWeight(test.confidence, history.exponent), 1e-12);
         // Where proof can't stay it must not outweigh the other answers.
         if (history.triesTriangles != 0u && history.keepsProof == 0u) weight = 1.0 / history.weightScale;
         facing |= 1u << stratum;
+        sure = sure && test.sure;
+        low = min(low, test.place);
+        high = max(high, test.place);
         proven = proven && test.proven;
         tested += 1.0;
         litSum += test.lit;
@@ -168,15 +173,18 @@ void main() {
             seen.receiver = r;
         }
     }
+#ifdef TRIES_TRIANGLES
+    outputRest = restOf(0.0, 0u, !anyMoves, low, high);
+#endif
     if (!seen.any) return;
     float lit = litSum / tested, weight = weightSum / tested;
 
     vec4 before = vec4(0.0);
     if (history.hasPast != 0u) {
 #ifdef MOVED
-        bool receiverMoves;
-        before = reprojected(seen, pixel, receiverMoves);
-        if (receiverMoves) {
+        bool knownMoves;
+        before = reprojected(seen, pixel, knownMoves);
+        if (knownMoves) {
             // Its way through the light is unknown: the past may stay as long as the test agrees with it.
             if (!(abs(before.x - lit * before.y) <= 0.02 * before.y)) before = vec4(0.0);
             before.xy *= min(1.0, 2.0 / max(before.y, 1e-12));
@@ -205,7 +213,14 @@ void main() {
     }
     vec2 position = (vec2(pixel) + samplePattern(pixel, seen.stratum, frame.seed, SALT_CAMERA).xy) / cameraView.size;
     outputHistory.z = distanceOf(seen.receiver, position);
-    outputHistory.w = ageAndStratum(hasPast ? ageOf(before) + 1.0 : 1.0, seen.stratum);
+    float age = hasPast ? ageOf(before) + 1.0 : 1.0;
+    // Beside what moves, and while the camera does, a pixel can't know.
+    bool disturbed = anyMoves || touched || history.mayRest == 0u;
+    uint sureTests = sure && !disturbed ? min(hasPast ? sureOf(before) + 1u : 1u, HISTORY_LARGEST_SURE) : 0u;
+    outputHistory.w = packedAge(age, sureTests, seen.stratum);
+#ifdef TRIES_TRIANGLES
+    outputRest = restOf(disturbed ? 0.0 : min(age, float(history.round)), sureTests, proven && !disturbed, low, high);
+#endif
 
     if (shown == lit) return;
     for (uint stratum = 0u; stratum < frame.strata; ++stratum) {

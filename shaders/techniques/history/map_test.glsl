@@ -1,14 +1,21 @@
 // The shadow map test of a surface point and how sure it is.
+// TRIES_TRIANGLES: the map's triangles are tried as well.
 #include "techniques/history/blocks.glsl"
 #include "shared/segment_triangle.shared.h"
 
 layout(binding = SHADOW_MAP_UNIT) uniform sampler2DArray shadowMap;
+#ifdef TRIES_TRIANGLES
 layout(binding = MAP_TRIANGLES_UNIT) uniform usampler2DArray mapTriangles;
+#endif
 
 struct ShadowTest {
     float lit;         // 0, 1, or the mean over the texels of the filter
     float confidence;  // equation 5; 0 outside the map
     bool proven;       // a triangle that the ray to the light meets
+    bool sure;         // that, or nothing around that might hide the point
+    bool guessedDark;  // lit, if there is time to find a proof of the contrary; else better taken to be dark
+    vec2 place;        // in the light's map plane
+    float depth;       // distance from the light's plane
 };
 
 // The receiver's place in this frame's map, which is turned and shifted (or warped) against the light's map plane.
@@ -53,14 +60,7 @@ float planeDepthAtTexel(WarpedPoint p, ivec2 texel, out float inverseWeight) {
     return planeDepthAt(p, q.xy / q.z);
 }
 
-float litByTexel(WarpedPoint p, ivec2 texel, float publishedDepth) {
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(lightView.size)))) return 1.0;
-    float inverseWeight;
-    float planeDepth = planeDepthAtTexel(p, texel, inverseWeight) - history.bias * p.m.texel;
-    float caster = mapDistance(texelFetch(shadowMap, ivec3(texel, 0), 0).x / inverseWeight);
-    return (history.asPublished != 0u ? publishedDepth : planeDepth) > caster ? 0.0 : 1.0;
-}
-
+#ifdef TRIES_TRIANGLES
 struct Trial {
     bool met;      // by the segment from the receiver to the light
     float height;  // the least of the triangle's heights seen from the receiver, in texels
@@ -82,10 +82,10 @@ Trial tryTriangle(MovingTriangle t, Receiver r, float u, vec3 toLight, float tex
 // not all four see something nearer than the receiver's plane, an edge of a shadow runs by: a dark answer is then another
 // point's. Where there is time, whatever is dark finds its proof in the end. Else only a triangle wider than a texel is known to
 // end here, and has not just been followed by one that no texel saw.
-ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p, bool hasTime) {
+ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
     ivec2 nearest = ivec2(floor(p.texel)), corner = ivec2(floor(p.texel - 0.5));
     bool inside = all(greaterThanEqual(nearest, ivec2(0))) && all(lessThan(nearest, ivec2(lightView.size)));
-    ShadowTest test = ShadowTest(1.0, inside ? shadowTestConfidence(p.texel) : 0.0, false);
+    ShadowTest test = ShadowTest(1.0, inside ? shadowTestConfidence(p.texel) : 0.0, false, true, false, p.plane.position, p.plane.depth);
     vec3 place = vec3((vec2(corner) + 1.0) / lightView.size, 0.0);
     uvec4 triangles = textureGather(mapTriangles, place);
     // No triangle hides its own points: most of what is lit ends here.
@@ -110,7 +110,10 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p, bool hasTime) {
         before -= caster;
         // What is proven needs no bias, so that contacts are right.
         if (before <= 0.0) continue;
-        if (before > history.bias * p.m.texel) ++nearer;
+        if (before > history.bias * p.m.texel) {
+            ++nearer;
+            test.sure = false;
+        }
         if (id == last) continue;
         last = id;
 #ifdef LIGHT_ORTHOGRAPHIC
@@ -119,22 +122,35 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p, bool hasTime) {
         float width = p.m.texel * caster / p.plane.depth;
 #endif
         Trial trial = tryTriangle(fetchTriangle(id), r, u, toLight, width);
-        if (trial.met) return ShadowTest(0.0, 1.0, true);
+        if (trial.met) return ShadowTest(0.0, 1.0, true, true, false, p.plane.position, p.plane.depth);
         if (k == 0 && nearer == 1u && trial.height < 1.0) dark = true;
     }
-    if (inside && (nearer == 4u || (dark && !hasTime))) test.lit = 0.0;
+    test.guessedDark = inside && dark;
+    if (inside && (nearer == 4u || (dark && history.awaitsProof == 0u))) test.lit = 0.0;
     return test;
 }
+#else
+float litByTexel(WarpedPoint p, ivec2 texel, float publishedDepth) {
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(lightView.size)))) return 1.0;
+    float inverseWeight;
+    float planeDepth = planeDepthAtTexel(p, texel, inverseWeight) - history.bias * p.m.texel;
+    float caster = mapDistance(texelFetch(shadowMap, ivec3(texel, 0), 0).x / inverseWeight);
+    return (history.asPublished != 0u ? publishedDepth : planeDepth) > caster ? 0.0 : 1.0;
+}
+#endif
 
-// hasTime: nothing moves near the receiver, so that later frames can tell more.
-ShadowTest testShadow(Receiver r, float u, bool hasTime) {
+ShadowTest testShadow(Receiver r, float u) {
     WarpedPoint p = warpedPointOf(r, u);
-    if (history.triesTriangles != 0u) return tryTriangles(r, u, p, hasTime && history.awaitsProof != 0u);
+#ifdef TRIES_TRIANGLES
+    return tryTriangles(r, u, p);
+#else
     ivec2 texel = ivec2(floor(p.texel));
     int radius = int(history.pcfRadius);
     float publishedDepth = p.m.depth - depthBias(p.m, history.bias, history.slopeBias * float(2 * radius + 1));
     ShadowTest test;
-    test.proven = false;
+    test.proven = test.sure = test.guessedDark = false;
+    test.place = p.plane.position;
+    test.depth = p.plane.depth;
     test.lit = 0.0;
     for (int y = -radius; y <= radius; ++y)
         for (int x = -radius; x <= radius; ++x) test.lit += litByTexel(p, texel + ivec2(x, y), publishedDepth);
@@ -142,4 +158,5 @@ ShadowTest testShadow(Receiver r, float u, bool hasTime) {
     bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(lightView.size)));
     test.confidence = inside ? shadowTestConfidence(p.texel) : 0.0;
     return test;
+#endif
 }

@@ -1,6 +1,7 @@
 // What the technique knows of each pixel. VIEW: 0 this frame's mean confidence, 1 frames in the history, 2 whether a past
 // was looked for in vain.
 #include "techniques/history/map_test.glsl"
+#include "techniques/history/texel.glsl"
 
 layout(binding = PAST_UNIT) uniform sampler2D written;
 layout(location = 0) uniform uint view;
@@ -15,7 +16,7 @@ float meanConfidence(uvec2 pixel) {
         MovingTriangle t = fetchTriangle(id);
         Receiver r = receiverOf(t, id, pixel, stratum);
         if (!facesLight(r)) continue;
-        sum += testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant, true).confidence;
+        sum += testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant).confidence;
         tested += 1.0;
     }
     return sum / max(tested, 1.0);
@@ -24,7 +25,7 @@ float meanConfidence(uvec2 pixel) {
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     vec4 h = texelFetch(written, ivec2(pixel), 0);
-    float age = floor(h.w / float(1 << HISTORY_STRATUM_BITS));
+    float age = ageOf(h);
     outputValue = -1.0;
     if (h.y <= 0.0) return;
     if (view == 0u) outputValue = meanConfidence(pixel);

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gl/framebuffer.h"
+#include "gl/program_cache.h"
+#include "techniques/technique.h"
+
+namespace timeshade {
+
+/// Pixels whose history has learned enough rest while the camera stands: they are asked every second frame where a test was in doubt of late, every
+/// sixteenth where all were sure, and never where all is proven; tile by tile in turn, so that frames cost alike. What moves wakes them. In between
+/// they show what they showed before.
+///
+/// Memory: 4 bytes a pixel for when and where each is woken, 4 for marks, and 4 a camera sample for what is shown.
+class RestingPixels {
+  public:
+    explicit RestingPixels(gl::ProgramCache& programs);
+
+    /// Makes the textures for frames like this one. Those of another size are dropped, with what they know.
+    void allocate(const TechniqueFrame& frame);
+    /// Nothing rests in the next frame.
+    void forget() { known_ = false; }
+    /// Does every pixel have an answer that may be shown again?
+    bool known() const { return known_; }
+
+    struct Movers {
+        const gl::Texture &mask, &flags;  ///< MoverMask's
+    };
+    /// Marks the pixels that are not to rest, in a depth texture: a lookup with the depth test EQUAL draws them alone. `written`: the history as
+    /// the frame before left it. The technique's uniforms must be bound.
+    void wake(const TechniqueFrame& frame, const gl::Texture& written, const Movers* movers);
+    const gl::Texture& marks() const { return *marks_; }
+    /// Hands the answers, those of resting pixels with the others, to the frame. From then on they are known.
+    void show(const TechniqueFrame& frame);
+
+    const gl::Texture& rests() const { return *rests_; }      ///< R32UI: the lookup's second output
+    const gl::Texture& answers() const { return *answers_; }  ///< R32F, a layer a stratum: what the lookup stores
+    std::size_t bytes() const;
+
+  private:
+    gl::ProgramCache& programs_;
+    gl::Framebuffer target_;
+    std::optional<gl::Texture> rests_, marks_, answers_;
+    bool known_ = false;
+};
+
+} // namespace timeshade
