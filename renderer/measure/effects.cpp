@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "frame/frame_renderer.h"
+#include "frame/warm_up.h"
 #include "measure/technique_variant.h"
 
 namespace timeshade {
@@ -35,6 +36,7 @@ struct Player {
     void play(int frame) {
         FrameRequest now = request;
         now.frame += frame;
+        if (frame == 0) drawWarmUp(renderer, planner, *drawn, request, View::Final);
         const Clock::time_point begin = Clock::now();
         FramePlan plan = planner.plan(now);
         const double planned = millisecondsSince(begin);
