@@ -10,6 +10,7 @@ namespace timeshade {
 namespace {
 
 constexpr double backgroundOpacity = 0.68;
+constexpr double leastLabel = 8.0;  // letter sizes of room in which a longer name is shortened
 
 double letterSize(const DisplayImage& picture) { return std::max(11.0, picture.height / 24.0); }
 
@@ -35,8 +36,11 @@ void write(DisplayImage& picture, const CoverageMask& mask, double level) {
 void PictureText::drawLabel(DisplayImage& picture, const std::string& text, int left, int right, Side side) const {
     const double size = letterSize(picture), margin = 0.5 * size;
     const double room = right - left - 4.0 * margin;
-    if (text.empty() || room < 2.0 * size) return;  // too narrow to say anything
-    const std::string shown = fonts_.bold.shorten(text, size, room);
+    // Where a seam leaves less room, the name alone, or nothing: half a word that changes from frame to frame says less.
+    std::string shown = text;
+    if (fonts_.bold.width(shown, size) > room) shown = text.substr(0, text.find(','));
+    if (room > leastLabel * size) shown = fonts_.bold.shorten(shown, size, room);
+    if (shown.empty() || fonts_.bold.width(shown, size) > room) return;
     const double width = fonts_.bold.width(shown, size);
     const double x = side == Side::Left ? left + 2.0 * margin : right - 2.0 * margin - width;
     const auto pixel = [](double value) { return static_cast<int>(std::lround(value)); };

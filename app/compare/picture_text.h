@@ -12,7 +12,7 @@ class PictureText {
   public:
     enum class Side { Left, Right };
 
-    /// A line in an upper corner of the columns [left, right).
+    /// A line in an upper corner of the columns [left, right); there, only what stands before its comma, or nothing, where it has no room.
     void drawLabel(DisplayImage& picture, const std::string& text, int left, int right, Side side) const;
     /// A bold title and a text of several lines along the lower edge.
     void drawCaption(DisplayImage& picture, const std::string& title, const std::string& text) const;
