@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "panels/panels.h"
 #include "panels/technique_pages.h"
@@ -60,10 +61,24 @@ void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
     endBox();
 }
 
+/// Fills the row; left out where the picture behind has little room.
+void drawPagePicture(Session& session, Widgets& widgets, const Area& picture, float width, const std::string& shown) {
+    const std::string& name = session.technique->description().name;
+    if (picture.size.y < 520.0f * widgets.scale() || picture.size.x < width + 60.0f) return;
+    const gl::Texture* texture = session.pagePictures.of(name);
+    if (texture == nullptr) return;
+    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture->name()));
+    ImGui::Image(id, {width, width * static_cast<float>(texture->height()) / static_cast<float>(texture->width())});
+    widgets.dump().lastItem("page.picture", name);
+    ImGui::TextColored(theme::quiet, "%s", shown.c_str());
+    ImGui::Spacing();
+}
+
 void drawPage(Session& session, Widgets& widgets, const Area& picture) {
     const TechniqueDescription& technique = session.technique->description();
     const TechniquePage page = pageOf(technique.name);
-    beginBox("page", picture, {0.5f, 0.5f}, 460.0f * widgets.scale(), ImGui::GetStyle().Colors[ImGuiCol_Border]);
+    const float width = 460.0f * widgets.scale();
+    beginBox("page", picture, {0.5f, 0.5f}, width, ImGui::GetStyle().Colors[ImGuiCol_Border]);
     const auto paragraph = [](const char* heading, const std::string& text) {
         if (text.empty()) return;
         ImGui::TextColored(theme::accent, "%s", heading);
@@ -73,6 +88,7 @@ void drawPage(Session& session, Widgets& widgets, const Area& picture) {
     paragraph(technique.title.c_str(), technique.summary);
     paragraph("From", technique.source);
     paragraph("What it gets wrong", page.wrong);
+    drawPagePicture(session, widgets, picture, width, page.shown);
     paragraph("Look at", page.look);
     widgets.dump().lastItem("page", technique.name);
     if (widgets.button("page.close", "Close")) session.pageVisible = false;

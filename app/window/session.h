@@ -18,6 +18,7 @@
 #include "window/diagnostic_picture.h"
 #include "window/frame_driver.h"
 #include "window/orbit_camera.h"
+#include "window/page_pictures.h"
 #include "window/pixel_probe.h"
 #include "window/playback.h"
 #include "window/recording.h"
@@ -126,6 +127,7 @@ struct Session {
     bool panelsVisible = true;
     bool keysVisible = false;
     bool pageVisible = false;  ///< of the technique
+    PagePictures pagePictures;
     std::map<std::string, bool> sections;  ///< of the side panel: unfolded or not, where that is not as at a first start
     double textScale = 1.0;  ///< the user's own, on top of the display's
     std::string lastScreenshot;

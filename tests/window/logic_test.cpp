@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
+#include "image/image_file.h"
+#include "panels/technique_pages.h"
 #include "panels/widgets.h"
 #include "scene/error.h"
+#include "techniques/registry.h"
 #include "window/frame_times.h"
 #include "window/layout.h"
 #include "window/mouse_queue.h"
@@ -251,6 +255,22 @@ TEST(WindowMemory, WhatMakesNoSenseIsNamed) {
             EXPECT_TRUE(std::string(error.what()).starts_with("F.json: ")) << error.what();
         }
     }
+}
+
+/// Each technique has a page with a picture, which assets/pages/make.sh draws.
+TEST(TechniquePages, AreThere) {
+    std::uintmax_t bytes = 0;
+    for (const TechniqueDescription& technique : techniqueDescriptions()) {
+        const TechniquePage page = pageOf(technique.name);
+        EXPECT_FALSE(page.wrong.empty() || page.look.empty() || page.shown.empty()) << technique.name << " has no page";
+        const std::filesystem::path file = std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "assets/pages" / (technique.name + ".png");
+        ASSERT_TRUE(std::filesystem::exists(file)) << file;
+        const DisplayImage picture = readPng(file);
+        EXPECT_EQ(picture.width, 448) << technique.name;
+        EXPECT_EQ(picture.height, 176) << technique.name;
+        bytes += std::filesystem::file_size(file);
+    }
+    EXPECT_LT(bytes, 400'000u) << "they are small";
 }
 
 } // namespace

@@ -281,6 +281,9 @@ class Pages(WindowTest):
         window.settle()
         window.click("technique.page")
         window.wait(lambda d: d["widgets"].get("page", {}).get("value") == "tsm", "the page")
+        x0, y0, x1, y1 = window.wait(lambda d: "page.picture" in d["widgets"], "its picture")["widgets"]["page.picture"]["rect"]
+        levels = window.look().crop(x0, y0, x1, y1).grey()
+        self.assertGreater(max(levels) - min(levels), 60, "nothing is drawn there")
         window.key("i")
         window.wait(lambda d: "page" not in d["widgets"], "no page")
         shutil.copy(pathlib.Path(__file__).parents[2] / "assets/scenes/octopus.glb", window.folder)
