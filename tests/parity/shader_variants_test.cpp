@@ -65,6 +65,23 @@ void drawNextFrame(FrameRenderer& renderer, FramePlanner& planner, const std::st
     for (; request.frame < 2.0; request.frame += 1.0) renderer.draw(planner.plan(request), *technique, View::Final);
 }
 
+/// Frames with a camera that stands: beside something that moves, with and without what the sample pass keeps, and where nothing does.
+void drawStillCamera(FrameRenderer& renderer, const ProceduralScene& scene, const std::string& name) {
+    FramePlanner planner(scene);
+    FrameRequest request = ProceduralScene::request(16, 12, 2, 16, 1);
+    request.cameraPose = scene.cameraOpen;
+    for (const double shutter : {1.0, 0.0})
+        for (const bool keeps : {true, false}) {
+            const std::unique_ptr<Technique> technique = makeTechnique(name, renderer.programs());
+            request.shutter.length = shutter;
+            request.keeps = keeps;
+            for (int frame = 0; frame < 5; ++frame) {
+                request.frame = shutter > 0.0 ? frame : 0.0;
+                renderer.draw(planner.plan(request), *technique, View::Visibility);
+            }
+        }
+}
+
 /// A moment that is drawn again, with something that stands still: what a lookup keeps, and what it asks anew.
 void drawKept() {
     FrameRenderer& renderer = sharedRenderer();
@@ -84,6 +101,7 @@ void drawKept() {
             forEveryCombination(*technique, [&] {
                 for (int again = 0; again < 3; ++again) renderer.draw(plan, *technique, View::Visibility);
             });
+            if (technique->warmUpFrames() > 0) drawStillCamera(renderer, scene, description.name);
         }
     }
 }
