@@ -207,7 +207,7 @@ void FramePlanner::decideMotion(FramePlan& plan) {
     const bool lightMoves = plan.block.lightPositionOpen != plan.block.lightPositionClose;
     if (plan.camera.still.empty()) plan.still.samples = 0;
     if (plan.still.samples == 0 || lightMoves) plan.still.lit = 0;
-    if (plan.still.lit != 0 && !plan.casters.nothingMoves()) plan.reached = maskOfMovingCasters(plan);
+    if (plan.still.lit != 0 && !plan.casters.nothingMoves()) plan.reached = maskOfMovingCasters(plan.casters, *motion.inMap, plan.request.mapSize);
 }
 
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {

@@ -41,17 +41,16 @@ MotionMemory::Motion MotionMemory::update(const std::shared_ptr<const MeshTexels
     Motion now;
     if (!(sameCamera && sameLight && texels_ == texels)) {
         const std::size_t count = texels->positions.size() / TRIANGLE_POSITION_TEXELS;
-        auto triangles = std::make_shared<std::vector<TriangleMotion>>(count);
+        const bool sameViews = sameCamera && sameLight;
+        auto triangles = sameViews ? std::make_shared<std::vector<TriangleMotion>>(*last_.triangles) : std::make_shared<std::vector<TriangleMotion>>(count);
+        auto inMap = sameViews ? std::make_shared<std::vector<shared::SweptBounds>>(*last_.inMap) : std::make_shared<std::vector<shared::SweptBounds>>(count);
         for (std::uint32_t id = 0; id < count; ++id) {
             const std::size_t at = std::size_t{id} * TRIANGLE_POSITION_TEXELS;
             const bool samePlace = !first && (texels_ == texels || std::memcmp(&texels_->positions[at], &texels->positions[at],
                                                                                TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
+            if (samePlace && sameViews) continue;
             TriangleMotion& motion = (*triangles)[id];
-            if (samePlace && sameCamera && sameLight) {
-                motion = (*last_.triangles)[id];
-                continue;
-            }
-            motion = motionOf(texels->positions, id, views);
+            motion = motionOf(texels->positions, id, views, (*inMap)[id]);
             ++now.decidedAnew;
             if (first) continue;
             const TriangleMotion& before = (*last_.triangles)[id];
@@ -60,8 +59,10 @@ MotionMemory::Motion MotionMemory::update(const std::shared_ptr<const MeshTexels
                 sameSeen = sameSeen && samePlace && stillBeforeCamera(motion) == stillBeforeCamera(before);
         }
         now.triangles = std::move(triangles);
+        now.inMap = std::move(inMap);
     } else {
         now.triangles = last_.triangles;
+        now.inMap = last_.inMap;
     }
     now.versions.casters = sameCasters ? last_.versions.casters : newVersion();
     now.versions.samples = sameSeen ? last_.versions.samples : newVersion();

@@ -23,6 +23,7 @@ class MotionMemory {
   public:
     struct Motion {
         std::shared_ptr<const std::vector<TriangleMotion>> triangles;
+        std::shared_ptr<const std::vector<shared::SweptBounds>> inMap;  ///< where in the light's map each may be
         StillVersions versions;
         std::size_t decidedAnew = 0;  ///< triangles
     };

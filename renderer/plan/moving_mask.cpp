@@ -3,23 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/frame_plan.h"
-#include "plan/view_triangle.h"
-
 namespace timeshade {
 
-MovingMask maskOfMovingCasters(const FramePlan& plan) {
+MovingMask maskOfMovingCasters(const LightMotion& casters, const std::vector<shared::SweptBounds>& inMap, int mapSize) {
     constexpr int side = MovingMask::side;
     constexpr float widestTest = 4.0f;  // texels
-    const float margin = widestTest / static_cast<float>(plan.request.mapSize) + 1e-3f;
+    const float margin = widestTest / static_cast<float>(mapSize) + 1e-3f;
     MovingMask mask;
     mask.cells.assign(std::size_t{side} * side, 0);
     const auto cellOf = [&](float position) {
         return static_cast<int>(std::floor(std::clamp(position, 0.0f, 1.0f) * static_cast<float>(side)));
     };
-    for (const auto* list : {&plan.casters.moving, &plan.casters.nearPlane}) {
+    for (const auto* list : {&casters.moving, &casters.nearPlane}) {
         for (const std::uint32_t id : *list) {
-            const shared::SweptBounds bounds = boundsOf(plan.light, viewTriangle(plan.light.block, plan.texels->positions, id));
+            const shared::SweptBounds& bounds = inMap[id];
             const int left = cellOf(bounds.low.x - margin), right = std::min(cellOf(bounds.high.x + margin), side - 1);
             const int bottom = cellOf(bounds.low.y - margin), top = std::min(cellOf(bounds.high.y + margin), side - 1);
             for (int y = bottom; y <= top; ++y)

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace timeshade {
+#include "plan/light_motion.h"
 
-struct FramePlan;
+namespace timeshade {
 
 /// Where in the light's map a moving caster may be at any time of the shutter: a grid of bytes over the map, 0 where none comes
 /// within four texels (the widest that a technique's test looks aside).
@@ -15,7 +15,7 @@ struct MovingMask {
     std::size_t marked = 0;
 };
 
-/// Of plan.casters.moving and nearPlane.
-MovingMask maskOfMovingCasters(const FramePlan& plan);
+/// Of the lists of what moves; `inMap`: where in the light's map each triangle may be (MotionMemory).
+MovingMask maskOfMovingCasters(const LightMotion& casters, const std::vector<shared::SweptBounds>& inMap, int mapSize);
 
 } // namespace timeshade

@@ -20,21 +20,30 @@ float largest(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y
 // the triangle at all times where that holds for three vertices at both ends.
 bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera) {
     if (views.camera.turns || views.camera.projection != Projection::Perspective) return true;
-    const bool directional = views.block.lightDirection.w != 0.0f;
     bool outside[5] = {true, true, true, true, true};
+    const auto mayBeSeen = [&] { return std::none_of(std::begin(outside), std::end(outside), [](bool yes) { return yes; }); };
+    // Most triangles are before the camera themselves, and no more needs to be asked.
+    for (const bool close : {false, true}) {
+        for (const glm::vec3& vertex : close ? inCamera.close : inCamera.open) {
+            const float slack = 1e-4f * largest(vertex);
+            const std::array<float, 5> here = planes(vertex);
+            for (std::size_t i = 0; i < 5; ++i) outside[i] = outside[i] && here[i] < -slack;
+            if (mayBeSeen()) return true;
+        }
+    }
+    const bool directional = views.block.lightDirection.w != 0.0f;
     for (const bool close : {false, true}) {
         const glm::mat4& viewFromWorld = close ? views.camera.block.viewFromWorldClose : views.camera.block.viewFromWorldOpen;
         const glm::vec3 light(viewFromWorld * glm::vec4(glm::vec3(close ? views.block.lightPositionClose : views.block.lightPositionOpen), 1.0f));
         const glm::vec3 direction = glm::mat3(viewFromWorld) * glm::vec3(views.block.lightDirection);
         for (const glm::vec3& vertex : close ? inCamera.close : inCamera.open) {
             const glm::vec3 onwards = directional ? direction : vertex - light;
-            const float slack = 1e-4f * largest(vertex);
             const float onwardsSlack = 1e-4f * (directional ? largest(direction) : largest(vertex) + largest(light));
-            const std::array<float, 5> here = planes(vertex), change = planes(onwards);
-            for (std::size_t i = 0; i < 5; ++i) outside[i] = outside[i] && here[i] < -slack && change[i] < -onwardsSlack;
+            const std::array<float, 5> change = planes(onwards);
+            for (std::size_t i = 0; i < 5; ++i) outside[i] = outside[i] && change[i] < -onwardsSlack;
         }
     }
-    return std::none_of(std::begin(outside), std::end(outside), [](bool yes) { return yes; });
+    return mayBeSeen();
 }
 
 } // namespace timeshade

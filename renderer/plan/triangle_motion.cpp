@@ -21,23 +21,49 @@ Facing facingOf(const ViewTriangle& t, Projection projection) {
     return Facing::Unsure;
 }
 
+/// Where the triangle is at u = 0 and where it ever is: as boundsOf says of the triangle held there, and of itself.
+struct OpenAndSwept {
+    shared::SweptBounds open, swept;
+};
+
+/// sweptBoundsPerspective for both at once: extremes do not mind a point that comes twice.
+OpenAndSwept openAndSwept(const ViewTriangle& t, float nearDistance) {
+    shared::HomogeneousExtremes extremes = shared::noHomogeneousPoints();
+    for (const glm::vec3& p : t.open) extremes = shared::addHomogeneousPoint(extremes, p);
+    OpenAndSwept bounds{shared::boundsOfExtremes(extremes), {}};
+    for (const glm::vec3& p : t.close) extremes = shared::addHomogeneousPoint(extremes, p);
+    bounds.swept = shared::boundsOfExtremes(extremes);
+    const float farthestOpen = std::max({t.open[0].z, t.open[1].z, t.open[2].z});
+    const float farthest = std::max({farthestOpen, t.close[0].z, t.close[1].z, t.close[2].z});
+    const auto hide = [](shared::SweptBounds& b) { b.low = glm::vec2(1.0f); b.high = glm::vec2(0.0f); };
+    if (!(farthestOpen > nearDistance)) hide(bounds.open);
+    if (!(farthest > nearDistance)) hide(bounds.swept);
+    return bounds;
+}
+
+OpenAndSwept openAndSwept(const ViewPlan& view, const ViewTriangle& t) {
+    if (!view.turns && view.projection == Projection::Perspective) return openAndSwept(t, view.block.nearDistance);
+    ViewTriangle held = t;
+    for (int i = 0; i < 3; ++i) held.close[i] = t.open[i];
+    return {boundsOf(view, held), boundsOf(view, t)};
+}
+
 /// Side of the square that covers the triangle during one stratum, about: its own extent and its share of the way.
-float squareSide(const ViewPlan& view, const ViewTriangle& t, const shared::SweptBounds& swept, std::uint32_t strata) {
-    ViewTriangle still = t;
-    for (int i = 0; i < 3; ++i) still.close[i] = t.open[i];
-    const shared::SweptBounds own = boundsOf(view, still);
+float squareSide(const ViewPlan& view, const OpenAndSwept& bounds, std::uint32_t strata) {
+    const shared::SweptBounds &own = bounds.open, &swept = bounds.swept;
     const glm::vec2 extent = (own.high - own.low) * view.block.size;
     const glm::vec2 whole = (swept.high - swept.low) * view.block.size;
     const glm::vec2 side = extent + (whole - extent) / static_cast<float>(strata);
     return std::max(side.x, side.y);
 }
 
-bool fitsPoint(const ViewPlan& view, const ViewTriangle& t, const shared::SweptBounds& bounds, std::uint32_t strata) {
+bool fitsPoint(const ViewPlan& view, const OpenAndSwept& both, std::uint32_t strata) {
     // A square wastes what lies beside a long triangle; a rectangle costs four vertices and two triangles of set-up.
     const float largestSmallSide = 16.0f;
+    const shared::SweptBounds& bounds = both.swept;
     const glm::vec2 whole = (bounds.high - bounds.low) * view.block.size;
     return bounds.crosses == 0u && std::max(whole.x, whole.y) < static_cast<float>(maximumPointSide - 2) &&
-           squareSide(view, t, bounds, strata) <= largestSmallSide;
+           squareSide(view, both, strata) <= largestSmallSide;
 }
 
 float nearest(const ViewTriangle& t) {
@@ -51,13 +77,12 @@ Reach reachOf(const shared::SweptBounds& bounds) {
     return inside ? Reach::Inside : Reach::Crossing;
 }
 
-ViewMotion motionIn(const ViewPlan& view, const ViewTriangle& t, std::uint32_t strata) {
-    const shared::SweptBounds bounds = boundsOf(view, t);
+ViewMotion motionIn(const ViewPlan& view, const ViewTriangle& t, const OpenAndSwept& bounds, std::uint32_t strata) {
     ViewMotion motion;
     motion.moves = view.turns || t.open[0] != t.close[0] || t.open[1] != t.close[1] || t.open[2] != t.close[2];
     motion.facing = facingOf(t, view.projection);
-    motion.reach = reachOf(bounds);
-    motion.small = motion.reach != Reach::Outside && fitsPoint(view, t, bounds, strata);
+    motion.reach = reachOf(bounds.swept);
+    motion.small = motion.reach != Reach::Outside && fitsPoint(view, bounds, strata);
     motion.reachesNearPlane = view.projection == Projection::Perspective && nearest(t) <= view.block.nearDistance;
     return motion;
 }
@@ -82,14 +107,16 @@ bool movesInWorld(const glm::vec4* texels) {
 
 } // namespace
 
-TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint32_t id, const FrameViews& views) {
+TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint32_t id, const FrameViews& views, shared::SweptBounds& inMap) {
     const ViewTriangle inCamera = viewTriangle(views.camera.block, positionTexels, id);
     const ViewTriangle inLight = viewTriangle(views.light.block, positionTexels, id);
     TriangleMotion motion;
     motion.movesInWorld = movesInWorld(positionTexels.data() + std::size_t{id} * TRIANGLE_POSITION_TEXELS);
     motion.doubleSided = inCamera.doubleSided;
-    motion.camera = motionIn(views.camera, inCamera, views.block.strata);
-    motion.light = motionIn(views.light, inLight, views.block.strata);
+    motion.camera = motionIn(views.camera, inCamera, openAndSwept(views.camera, inCamera), views.block.strata);
+    const OpenAndSwept lightBounds = openAndSwept(views.light, inLight);
+    inMap = lightBounds.swept;
+    motion.light = motionIn(views.light, inLight, lightBounds, views.block.strata);
     motion.bends = motion.light.moves && bends(inLight);
     motion.shadowMayBeSeen = shadowMayBeSeen(views, inCamera);
     return motion;

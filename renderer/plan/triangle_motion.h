@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "plan/view_plan.h"
+#include "shared/swept_bounds.shared.h"
 
 namespace timeshade {
 
@@ -48,8 +49,9 @@ struct FrameViews {
     const shared::FrameBlock& block;
 };
 
-/// The motion of triangle `id` of a mesh's uploaded texels (MeshTexels::positions).
-TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint32_t id, const FrameViews& views);
+/// The motion of triangle `id` of a mesh's uploaded texels (MeshTexels::positions). `inMap`: where in the light's map it may be during the
+/// shutter, as boundsOf says.
+TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint32_t id, const FrameViews& views, shared::SweptBounds& inMap);
 
 /// Fills a view's lists in ascending order.
 void listTriangles(ViewPlan& view, const std::vector<TriangleMotion>& triangles, ViewMotion TriangleMotion::*motion, const ListRules& rules);
