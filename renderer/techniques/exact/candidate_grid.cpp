@@ -42,6 +42,7 @@ void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t
     casters_.reserve(std::max<std::size_t>(casters.size(), 1), "draw fewer triangles");
     glNamedBufferSubData(casters_.buffer().name(), 0, static_cast<GLsizeiptr>(casters.size() * sizeof(std::uint32_t)), casters.data());
     buckets_ = wanted.buckets;
+    castersCount_ = casters.size();
     coarsened_ = false;
     for (side_ = wanted.side;; side_ /= 2) {
         const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(buckets_);
@@ -102,6 +103,12 @@ void CandidateGrid::bindForLookup(GLuint unit) const {
     lists_.offsets().bind(unit);
     candidates_.bindForReading(unit + 1);
 }
+
+double CandidateGrid::entryBytes() const {
+    return 8.0 * static_cast<double>(entries_) + 4.0 * static_cast<double>(castersCount_) * (1.0 + buckets_);
+}
+
+double CandidateGrid::cellBytes() const { return 8.0 * side_ * side_ * buckets_; }
 
 std::size_t CandidateGrid::bytes() const {
     return lists_.bytes() + casters_.bytes() + candidates_.bytes() + (queue_ ? queue_->bytes() : 0);

@@ -31,7 +31,11 @@ class CandidateGrid {
     int buckets() const { return buckets_; }
     std::size_t entries() const { return entries_; }
     bool coarsened() const { return coarsened_; }
+    /// Memory held by everything, kept room included.
     std::size_t bytes() const;
+    /// Bytes that these lists need: 8 an entry, 4 a caster and 4 a caster and bucket; and 8 a cell and bucket.
+    double entryBytes() const;
+    double cellBytes() const;
 
   private:
     void insert(const FramePlan& plan, std::size_t casters, bool fill);
@@ -41,7 +45,7 @@ class CandidateGrid {
     gl::GrowingBuffer casters_, candidates_;
     std::optional<gl::Buffer> queue_;
     int side_ = 0, buckets_ = 0;
-    std::size_t entries_ = 0;
+    std::size_t entries_ = 0, castersCount_ = 0;
     bool coarsened_ = false;
 };
 

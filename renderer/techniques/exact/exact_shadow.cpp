@@ -140,6 +140,8 @@ std::vector<TechniqueFigure> ExactShadow::figures() const {
         figures.push_back({which + "entries", entries, "", ""});
         figures.push_back({which + "entries expected", wanted.expectedEntries, "", ""});
         figures.push_back({which + "entries per triangle", entries / static_cast<double>(casters), "", ""});
+        figures.push_back({which + "memory per triangle", grid.entryBytes() / static_cast<double>(casters), "bytes", ""});
+        figures.push_back({which + "memory of the cells", grid.cellBytes() / (1024.0 * 1024.0), "MiB", ""});
     };
     if (moving_) {
         figures.push_back({"buckets", static_cast<double>(moving_->buckets()), "", ""});
