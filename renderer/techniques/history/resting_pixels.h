@@ -9,9 +9,9 @@
 
 namespace timeshade {
 
-/// Pixels whose history has learned enough rest while the camera stands: they are asked every second frame where a test was in doubt of late, every
-/// sixteenth where all were sure, and never where all is proven; tile by tile in turn, so that frames cost alike. What moves wakes them. In between
-/// they show what they showed before.
+/// Pixels whose history has learned enough rest while the camera stands: once four tests in a row were sure of every sample they are asked in
+/// every thirty-second frame, by an edge where answers are averaged in every sixteenth, and never where all is proven; tile by tile in turn,
+/// so that frames cost alike. What moves wakes them. In between they show what they showed before.
 ///
 /// Memory: 4 bytes a pixel for when and where each is woken, 4 for marks, and 4 a camera sample for what is shown.
 class RestingPixels {
