@@ -135,7 +135,9 @@ std::string motionWords(const MotionSummary& motion) {
 } // namespace
 
 FramePlanner::FramePlanner(const Scene& scene)
-    : scene_(scene), origin_(scene.bounds().centre()), exposure_(exposureOf(scene)) {}
+    : scene_(scene), origin_(scene.bounds().centre()), exposure_(exposureOf(scene)),
+      // Of one instant, whichever frame is asked for first: no frame depends on those before it.
+      surfaces_(std::make_shared<const ClosedSurfaces>(scene.motionMesh(0.0, 0.0), scene.materials())) {}
 
 void FramePlanner::deform(double openSeconds, double closeSeconds) {
     if (mesh_ && openSeconds == openSeconds_ && closeSeconds == closeSeconds_) return;
@@ -202,6 +204,9 @@ void FramePlanner::decideMotion(FramePlan& plan) {
     const ListRules lightRules{.dropUnseenShadows = planned, .allMove = !planned};
     listTriangles(plan.light, *plan.triangles, &TriangleMotion::light, lightRules);
     plan.casters = casterLists(*plan.triangles, lightRules);
+    plan.surfaces = surfaces_;
+    plan.crossedInPairs = planned ? surfaces_->crossedInPairs(*plan.mesh, plan.origin, plan.camera, plan.light)
+                                  : std::vector<char>(surfaces_->count() + 1, 0);
     if (!planned || !plan.request.keeps) return;
     plan.still = motion.versions;
     const bool lightMoves = plan.block.lightPositionOpen != plan.block.lightPositionClose;

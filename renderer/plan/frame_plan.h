@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "plan/closed_surfaces.h"
 #include "plan/frame_request.h"
 #include "plan/light_motion.h"
 #include "plan/motion_memory.h"
@@ -58,6 +59,8 @@ struct FramePlan {
     MotionSummary motion;
     std::shared_ptr<const std::vector<TriangleMotion>> triangles;  ///< what each does in this shutter
     LightMotion casters;    ///< the light's side of it, by the way in which a technique has to draw them
+    std::shared_ptr<const ClosedSurfaces> surfaces;
+    std::vector<char> crossedInPairs;  ///< as ClosedSurfaces says; all false where the request is not planned
     StillVersions still;    ///< what may be kept from frame to frame
     MovingMask reached;     ///< where in the light's map something that moves may cast a shadow; empty unless still.lit
     std::vector<PassDecision> passes;
@@ -82,6 +85,7 @@ class FramePlanner {
     double exposure_ = 1.0;
     double openSeconds_ = 0.0, closeSeconds_ = -1.0;
     std::shared_ptr<const MotionMesh> mesh_;
+    std::shared_ptr<const ClosedSurfaces> surfaces_;
     std::shared_ptr<const MeshTexels> texels_;
     std::size_t movingTriangles_ = 0;
     MotionMemory memory_;

@@ -11,13 +11,22 @@ namespace timeshade {
 
 namespace {
 
+float sizeOf(const glm::vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// By the signs of a vertex times the cross product of two edges: a cubic in u, by its Bernstein coefficients. Edges first, so that small triangles
+/// far away keep their precision.
 Facing facingOf(const ViewTriangle& t, Projection projection) {
-    const auto vector = [&](glm::vec3 v) { return projection == Projection::Orthographic ? glm::vec3(v.x, v.y, 1.0f) : v; };
-    const glm::vec4 facing =
-        shared::determinantCoefficients(vector(t.open[0]), vector(t.open[1]), vector(t.open[2]), vector(t.close[0]),
-                                        vector(t.close[1]), vector(t.close[2]));
-    if (glm::all(glm::lessThan(facing, glm::vec4(0.0f)))) return Facing::Away;
-    if (glm::all(glm::greaterThan(facing, glm::vec4(0.0f)))) return Facing::Towards;
+    const glm::vec3 a1 = t.open[1] - t.open[0], a2 = t.open[2] - t.open[0], b1 = t.close[1] - t.close[0], b2 = t.close[2] - t.close[0];
+    const bool flat = projection == Projection::Orthographic;
+    const glm::vec3 a = flat ? glm::vec3(0.0f, 0.0f, 1.0f) : t.open[0], b = flat ? a : t.close[0];
+    const glm::vec3 normalOpen = glm::cross(a1, a2), normalClose = glm::cross(b1, b2), between = glm::cross(a1, b2) + glm::cross(b1, a2);
+    const float first = glm::dot(a, normalOpen), second = glm::dot(b, normalOpen) + glm::dot(a, between);
+    const float third = glm::dot(b, between) + glm::dot(a, normalClose), last = glm::dot(b, normalClose);
+    // Each coordinate carries the rounding of its place: so much of an edge times an edge times a place may be wrong.
+    const float length = sizeOf(a1) + sizeOf(a2) + sizeOf(b1) + sizeOf(b2), place = sizeOf(t.open[0]) + sizeOf(t.close[0]) + length;
+    const float slack = 1.5e-7f * place * length * (sizeOf(a) + sizeOf(b));
+    if (first < -slack && second < -slack && third < -slack && last < -slack) return Facing::Away;
+    if (first > slack && second > slack && third > slack && last > slack) return Facing::Towards;
     return Facing::Unsure;
 }
 

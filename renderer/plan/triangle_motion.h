@@ -10,7 +10,8 @@
 
 namespace timeshade {
 
-/// Which side of a triangle a view is on during the shutter. A side is only named where it is the same throughout.
+/// Which side of a triangle a view is on during the shutter. A side is only named where it is the same throughout, by more than
+/// floats may be wrong.
 enum class Facing : std::uint8_t { Towards, Away, Unsure };
 
 /// Where a triangle is in a view's picture during the shutter.

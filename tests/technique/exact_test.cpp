@@ -1,5 +1,6 @@
 // `exact` is right whatever its grid: the same answers for every number of cells and buckets, every map, and for lists that had
 // to be made coarser; and right by the oracle, in scenes where everything moves.
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "frame/frame_renderer.h"
 #include "measure/verification.h"
 #include "scene_catalogue.h"
+#include "support/crowded_scene.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "techniques/exact/candidate_grid.h"
@@ -56,6 +58,41 @@ TEST_P(Exact, GridAndMapChangeNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Exact,
                          testing::Values(Kind{false, false}, Kind{true, false}, Kind{false, true}));
+
+std::size_t leftOutBy(const Technique& exact) {
+    const std::vector<TechniqueFigure> figures = exact.figures();
+    return static_cast<std::size_t>(
+        std::find_if(figures.begin(), figures.end(), [](const TechniqueFigure& figure) { return figure.name == "left out, facing away"; })->value);
+}
+
+class ExactPairs : public testing::TestWithParam<CrowdedSceneOptions> {};
+
+/// Triangles that face away from the light are left out where nobody can tell, and only there.
+TEST_P(ExactPairs, LeavingThemOutIsRight) {
+    std::size_t leftOut = 0;
+    for (const std::uint32_t seed : {0u, 1u, 2u, 3u}) {
+        CrowdedSceneOptions options = GetParam();
+        options.seed += 100 * seed;
+        const std::unique_ptr<Scene> scene = makeCrowdedScene(options);
+        FrameRequest request = ProceduralScene::request(160, 120, 4, 128, seed);
+        request.frame = static_cast<double>(seed);
+        const FramePlan plan = FramePlanner(*scene).plan(request);
+        const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
+        const Verification v = verifyFrame(sharedRenderer(), plan, *exact, {});
+        EXPECT_GT(v.tested, 2000u);
+        EXPECT_EQ(v.disagree(), v.marginal) << "seed " << options.seed << ": " << v.falseShadow << " false shadow, " << v.falseLit << " false lit";
+        EXPECT_LE(v.disagree(), 2u + v.tested / 20000u);
+        leftOut += leftOutBy(*exact);
+        setFromText(*exact, "pairs", "off");
+        EXPECT_EQ(verifyFrame(sharedRenderer(), plan, *exact, {}).shadowed, v.shadowed);
+        EXPECT_EQ(leftOutBy(*exact), 0u);
+    }
+    EXPECT_GT(leftOut, 1500u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Crowds, ExactPairs,
+                         testing::Values(CrowdedSceneOptions{1}, CrowdedSceneOptions{2, true}, CrowdedSceneOptions{3, false, true}, CrowdedSceneOptions{4, true, true},
+                                         CrowdedSceneOptions{5, false, false, true}, CrowdedSceneOptions{6, false, false, false, true}));
 
 /// With TIMESHADE_FULL_SIZE set: pictures as the program draws them when it is asked for nothing else, and all grids. Takes minutes.
 bool atFullSize() { return std::getenv("TIMESHADE_FULL_SIZE") != nullptr; }

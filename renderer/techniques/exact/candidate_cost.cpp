@@ -15,7 +15,7 @@ namespace {
 /// whose bounds hold the receiver is tested. Fitted over cubes, octopus and chess with sides of 128 to 512 and 1 to 8 buckets.
 constexpr double entryPrice = 40.0, itemPrice = 14.0, cellPrice = 21.0, boundsPrice = 0.8, testPrice = 5.6;
 /// How much more often than on average over the map receivers lie where casters are: what moves is what a camera is turned to.
-constexpr double stillCrowding = 1.8, movingCrowding = 3.2;
+constexpr double stillCrowding = 1.8, movingCrowding = 4.0;
 constexpr int mostBuckets = 32;
 constexpr double boundsSteps = 16.0;  // per cell, of a candidate's bounds
 

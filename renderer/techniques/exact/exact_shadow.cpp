@@ -23,20 +23,36 @@ void ExactShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.whole("buckets", buckets_, 0, 0, 32, "buckets",
                   "Pieces of the shutter with lists of their own; 0 lets a cost model choose. Fast casters want more. Changes time and "
                   "memory, never the picture.");
+    visitor.toggle("pairs", pairs_, true,
+                   "Of closed surfaces, leaves out the triangles that face away from the light: what is entered on the way to the light is left again. "
+                   "Changes time and memory, never the picture.");
 }
 
-namespace {
-
-std::vector<std::uint32_t> movingCasters(const FramePlan& plan) {
-    std::vector<std::uint32_t> all = plan.casters.moving;
-    all.insert(all.end(), plan.casters.nearPlane.begin(), plan.casters.nearPlane.end());
-    return all;
+void ExactShadow::addCasters(const FramePlan& plan, const std::vector<std::uint32_t>& ids, Casters& casters) const {
+    const std::vector<std::uint32_t>& surfaces = plan.surfaces->ofTriangles();
+    for (const std::uint32_t id : ids) {
+        if (pairs_ && plan.crossedInPairs[surfaces[id]] != 0 && (*plan.triangles)[id].light.facing == Facing::Away)
+            ++casters.facingAway;
+        else
+            casters.listed.push_back(id);
+    }
 }
 
-} // namespace
+ExactShadow::Casters ExactShadow::movingCasters(const FramePlan& plan) const {
+    Casters casters;
+    addCasters(plan, plan.casters.moving, casters);
+    addCasters(plan, plan.casters.nearPlane, casters);
+    return casters;
+}
 
-CandidateGridSize ExactShadow::wantedFor(const FramePlan& plan, bool moving) const {
-    return chooseCandidateGrid(plan, moving ? movingCasters(plan) : plan.casters.still, moving, side_, buckets_);
+ExactShadow::Casters ExactShadow::stillCasters(const FramePlan& plan) const {
+    Casters casters;
+    addCasters(plan, plan.casters.still, casters);
+    return casters;
+}
+
+CandidateGridSize ExactShadow::wantedFor(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool moving) const {
+    return chooseCandidateGrid(plan, casters, moving, side_, buckets_);
 }
 
 std::vector<PassDecision> ExactShadow::passes(const FramePlan& plan) const {
@@ -49,37 +65,44 @@ std::vector<PassDecision> ExactShadow::passes(const FramePlan& plan) const {
                                       size.expectedEntries, size.expectedCandidates),
                           triangles});
     };
-    if (!plan.casters.still.empty()) add("build/still", "stands still", wantedFor(plan, false), plan.casters.still.size());
-    if (!plan.casters.nothingMoves()) add("build/moving", "moves", wantedFor(plan, true), plan.casters.moving.size() + plan.casters.nearPlane.size());
-    passes.push_back({"lookup", "each camera sample against the triangles of its own cell and bucket, at its own time and place", 0});
+    const Casters movers = movingCasters(plan), standers = stillCasters(plan);
+    if (!standers.listed.empty()) add("build/still", "stands still", wantedFor(plan, standers.listed, false), standers.listed.size());
+    if (!movers.listed.empty()) add("build/moving", "moves", wantedFor(plan, movers.listed, true), movers.listed.size());
+    std::string lookup = "each camera sample against the triangles of its own cell and bucket, at its own time and place";
+    if (const std::size_t away = movers.facingAway + standers.facingAway; away > 0)
+        lookup += fmt::format("; {} that face away from the light are in no list: their surfaces are closed, so that the way to the light leaves "
+                              "whatever it enters",
+                              away);
+    passes.push_back({"lookup", lookup, 0});
     return passes;
 }
 
 void ExactShadow::build(const TechniqueFrame& frame) {
     const FramePlan& plan = frame.plan;
-    const std::vector<std::uint32_t> movers = movingCasters(plan);
-    movingCasters_ = movers.size();
-    stillCasters_ = plan.casters.still.size();
-    stillCastersTravel_ = std::any_of(plan.casters.still.begin(), plan.casters.still.end(), [&](std::uint32_t id) { return (*plan.triangles)[id].movesInWorld; });
-    const bool kept = still_ && plan.still.casters != 0 && plan.still.casters == stillVersion_ && side_ == stillSide_;
-    if (stillCasters_ == 0) {
+    Casters standers = stillCasters(plan);
+    // Which surfaces are crossed in pairs may depend on the camera, of which the version says nothing.
+    const bool kept = still_ && plan.still.casters != 0 && plan.still.casters == stillVersion_ && side_ == stillSide_ && standers.listed == standers_.listed;
+    standers_ = std::move(standers);
+    if (standers_.listed.empty()) {
         still_.reset();
     } else if (!kept) {
         const auto timed = frame.timer.scope("build/still");
-        wantedStill_ = wantedFor(plan, false);
+        stillCastersTravel_ = std::any_of(standers_.listed.begin(), standers_.listed.end(), [&](std::uint32_t id) { return (*plan.triangles)[id].movesInWorld; });
+        wantedStill_ = wantedFor(plan, standers_.listed, false);
         if (!still_) still_.emplace(programs_);
-        still_->build(plan, plan.casters.still, wantedStill_);
+        still_->build(plan, standers_.listed, wantedStill_);
     }
     stillVersion_ = plan.still.casters;
     stillSide_ = side_;
-    if (movers.empty()) {
+    movers_ = movingCasters(plan);
+    if (movers_.listed.empty()) {
         moving_.reset();
         return;
     }
     const auto timed = frame.timer.scope("build/moving");
-    wantedMoving_ = wantedFor(plan, true);
+    wantedMoving_ = wantedFor(plan, movers_.listed, true);
     if (!moving_) moving_.emplace(programs_);
-    moving_->build(plan, movers, wantedMoving_);
+    moving_->build(plan, movers_.listed, wantedMoving_);
 }
 
 const gl::Program& ExactShadow::lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines) {
@@ -130,8 +153,9 @@ void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name,
 }
 
 std::vector<TechniqueFigure> ExactShadow::figures() const {
-    std::vector<TechniqueFigure> figures{{"moving triangles", static_cast<double>(movingCasters_), "", ""},
-                                         {"still triangles", static_cast<double>(stillCasters_), "", ""}};
+    std::vector<TechniqueFigure> figures{{"moving triangles", static_cast<double>(movers_.count()), "", ""},
+                                         {"still triangles", static_cast<double>(standers_.count()), "", ""},
+                                         {"left out, facing away", static_cast<double>(movers_.facingAway + standers_.facingAway), "", ""}};
     const auto add = [&](const std::string& which, const CandidateGrid& grid, const CandidateGridSize& wanted, std::size_t casters) {
         const auto entries = static_cast<double>(grid.entries());
         figures.push_back({which + "grid side", static_cast<double>(grid.side()), "cells",
@@ -145,9 +169,9 @@ std::vector<TechniqueFigure> ExactShadow::figures() const {
     };
     if (moving_) {
         figures.push_back({"buckets", static_cast<double>(moving_->buckets()), "", ""});
-        add("", *moving_, wantedMoving_, movingCasters_);
+        add("", *moving_, wantedMoving_, movers_.count());
     }
-    if (still_) add("still ", *still_, wantedStill_, stillCasters_);
+    if (still_) add("still ", *still_, wantedStill_, standers_.count());
     return figures;
 }
 

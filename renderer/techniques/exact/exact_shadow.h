@@ -13,6 +13,9 @@ namespace timeshade {
 /// spatial aliasing, no bias: grid and buckets change the time taken and nothing else. Error: samples whose segment passes an edge within
 /// the rounding of floats (about 4e-7 of the distances), and casters within 1e-5 of the segment's length, which the definition leaves out. In the line of
 /// irregular shadow mapping (Johnson et al. 2005) and hybrid ray-traced shadows (Story 2015), extended in time.
+///
+/// Of closed surfaces only the triangles are listed that may face the light (ClosedSurfaces), which tells the same about every
+/// receiver: one that another part of the surface hides from the light is hidden by a part that faces it.
 class ExactShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -31,15 +34,24 @@ class ExactShadow final : public Technique {
 
   private:
     const gl::Program& lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines);
-    CandidateGridSize wantedFor(const FramePlan& plan, bool moving) const;
+    struct Casters {
+        std::vector<std::uint32_t> listed;
+        std::size_t facingAway = 0;  ///< left out: they face away from the light, and their surfaces are crossed in pairs
+        std::size_t count() const { return listed.size() + facingAway; }
+    };
+    Casters movingCasters(const FramePlan& plan) const;
+    Casters stillCasters(const FramePlan& plan) const;
+    void addCasters(const FramePlan& plan, const std::vector<std::uint32_t>& ids, Casters& casters) const;
+    CandidateGridSize wantedFor(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool moving) const;
 
     gl::ProgramCache& programs_;
     int side_ = 0, buckets_ = 0;
     CandidateGridSize wantedMoving_, wantedStill_;
     std::optional<CandidateGrid> moving_, still_;  ///< none where nothing moves, or stands still, in the light's frame
+    bool pairs_ = true;
     std::uint64_t stillVersion_ = 0;
     int stillSide_ = 0;
-    std::size_t movingCasters_ = 0, stillCasters_ = 0;
+    Casters movers_, standers_;  ///< of the frame drawn last
     bool stillCastersTravel_ = false;  ///< some stand still only in the light's frame
     std::optional<gl::Framebuffer> viewTarget_;
 };

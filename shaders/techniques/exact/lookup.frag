@@ -51,17 +51,20 @@ bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side
     uint place = packReceiverPlace(inGrid - vec2(cell), depthStep(m.depth, leastDepth()));
     int list = int((bucket * side + uint(cell.y)) * side) + cell.x;
     int first = int(texelFetch(offsets, list).x), last = int(texelFetch(offsets, list + 1).x);
-    int entry = first & ~3;  // of the four that are looked at next
+    const int together = int(CANDIDATES_TOGETHER);  // as many as a vector holds
+    const uint all = (1u << CANDIDATES_TOGETHER) - 1u;
+    int entry = first & ~(together - 1);  // the first of those that are looked at next
     uvec4 ids = uvec4(0u);
     uint waiting = 0u;  // of those, which are still to be tested
     bool shadowed = false;
     // Skipping first and testing then keeps neighbouring pixels at the same work (Aila and Laine 2009).
     while (true) {
         while (waiting == 0u && entry < last) {
-            waiting = reachingOf(texelFetch(candidates, entry >> 1), place) & (15u << uint(max(first - entry, 0))) & (15u >> uint(max(entry + 4 - last, 0)));
-            ids = texelFetch(candidates, (entry >> 1) + 1);
+            int texel = int(uint(entry) / CANDIDATES_TOGETHER * 2u);
+            waiting = reachingOf(texelFetch(candidates, texel), place) & (all << uint(max(first - entry, 0))) & (all >> uint(max(entry + together - last, 0)));
+            ids = texelFetch(candidates, texel + 1);
             waiting &= ~maskOf(equal(ids & uvec4(~CANDIDATE_MOVES), uvec4(r.triangle)));
-            entry += 4;
+            entry += together;
         }
         if (waiting == 0u) break;
         tested += 1.0;
