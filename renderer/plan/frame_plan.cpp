@@ -143,6 +143,9 @@ void FramePlanner::deform(double openSeconds, double closeSeconds) {
     if (mesh_ && openSeconds == openSeconds_ && closeSeconds == closeSeconds_) return;
     mesh_ = std::make_shared<const MotionMesh>(scene_.motionMesh(openSeconds, closeSeconds));
     texels_ = std::make_shared<const MeshTexels>(packMesh(*mesh_, scene_.materials(), origin_));
+    extent_ = {};
+    for (const auto* positions : {&mesh_->positionsOpen, &mesh_->positionsClose})
+        for (const glm::dvec3& position : *positions) extent_.add(position - origin_);
     movingTriangles_ = countMovingTriangles(*mesh_);
     openSeconds_ = openSeconds;
     closeSeconds_ = closeSeconds;
@@ -158,6 +161,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     plan.origin = origin_;
     plan.mesh = mesh_;
     plan.texels = texels_;
+    plan.extent = extent_;
     plan.materials = &scene_.materials();
     plan.images = &scene_.images();
     plan.lightOpen = scene_.light(open);

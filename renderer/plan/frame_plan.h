@@ -52,6 +52,7 @@ struct FramePlan {
     glm::dvec3 origin{0.0};  ///< subtracted from world positions in double before they become floats
     std::shared_ptr<const MotionMesh> mesh;
     std::shared_ptr<const MeshTexels> texels;
+    Bounds extent;  ///< of all vertices at both ends of the shutter, relative to the origin
     LightPose lightOpen, lightClose;
     ViewPlan camera;
     ViewPlan light;
@@ -87,6 +88,7 @@ class FramePlanner {
     std::shared_ptr<const MotionMesh> mesh_;
     std::shared_ptr<const ClosedSurfaces> surfaces_;
     std::shared_ptr<const MeshTexels> texels_;
+    Bounds extent_;
     std::size_t movingTriangles_ = 0;
     MotionMemory memory_;
 };

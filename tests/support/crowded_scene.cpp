@@ -71,6 +71,12 @@ std::unique_ptr<Scene> makeCrowdedScene(const CrowdedSceneOptions& options) {
         instance.shape = std::make_shared<const Shape>(anyShape(dice));
         instance.material = dice.below(3) == 0 ? twoSided : oneSided;
         instance.motion = anyMotion(dice);
+        if (options.overTheGround)
+            instance.motion = [motion = instance.motion](double time) {
+                RigidPose pose = motion(time);
+                pose.position.y += 3.0;
+                return pose;
+            };
         instance.pose = instance.motion(0.0);
         if (i % 4 == 0) instance.motion = nullptr;
         parts.instances.push_back(std::move(instance));

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "plan/backdrop.h"
+
 namespace timeshade {
 
 const TechniqueDescription& ExactShadow::describe() {
@@ -23,31 +25,26 @@ void ExactShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.whole("buckets", buckets_, 0, 0, 32, "buckets",
                   "Pieces of the shutter with lists of their own; 0 lets a cost model choose. Fast casters want more. Changes time and "
                   "memory, never the picture.");
-    visitor.toggle("pairs", pairs_, true,
-                   "Of closed surfaces, leaves out the triangles that face away from the light: what is entered on the way to the light is left again. "
-                   "Changes time and memory, never the picture.");
+    visitor.toggle("list_all", listAll_, false,
+                   "Lists also what can't make a difference: triangles of closed surfaces that face away from the light, and those that nothing lies "
+                   "behind. Changes time and memory, never the picture.");
 }
 
-void ExactShadow::addCasters(const FramePlan& plan, const std::vector<std::uint32_t>& ids, Casters& casters) const {
+ExactShadow::Casters ExactShadow::castersOf(const FramePlan& plan, const std::vector<std::uint32_t>& ids, const std::vector<std::uint32_t>& more) const {
+    Casters casters;
+    const bool all = listAll_ || !plan.request.planned;
     const std::vector<std::uint32_t>& surfaces = plan.surfaces->ofTriangles();
-    for (const std::uint32_t id : ids) {
-        if (pairs_ && plan.crossedInPairs[surfaces[id]] != 0 && (*plan.triangles)[id].light.facing == Facing::Away)
-            ++casters.facingAway;
-        else
-            casters.listed.push_back(id);
+    const Backdrop backdrop(plan.extent, plan.block, plan.light);
+    for (const auto* list : {&ids, &more}) {
+        for (const std::uint32_t id : *list) {
+            if (!all && plan.crossedInPairs[surfaces[id]] != 0 && (*plan.triangles)[id].light.facing == Facing::Away)
+                ++casters.facingAway;
+            else if (!all && backdrop.holds(plan.texels->positions, id))
+                ++casters.nothingBehind;
+            else
+                casters.listed.push_back(id);
+        }
     }
-}
-
-ExactShadow::Casters ExactShadow::movingCasters(const FramePlan& plan) const {
-    Casters casters;
-    addCasters(plan, plan.casters.moving, casters);
-    addCasters(plan, plan.casters.nearPlane, casters);
-    return casters;
-}
-
-ExactShadow::Casters ExactShadow::stillCasters(const FramePlan& plan) const {
-    Casters casters;
-    addCasters(plan, plan.casters.still, casters);
     return casters;
 }
 
@@ -73,6 +70,8 @@ std::vector<PassDecision> ExactShadow::passes(const FramePlan& plan) const {
         lookup += fmt::format("; {} that face away from the light are in no list: their surfaces are closed, so that the way to the light leaves "
                               "whatever it enters",
                               away);
+    if (const std::size_t behind = movers.nothingBehind + standers.nothingBehind; behind > 0)
+        lookup += fmt::format("; nor are {} that nothing lies behind", behind);
     passes.push_back({"lookup", lookup, 0});
     return passes;
 }
@@ -155,7 +154,8 @@ void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name,
 std::vector<TechniqueFigure> ExactShadow::figures() const {
     std::vector<TechniqueFigure> figures{{"moving triangles", static_cast<double>(movers_.count()), "", ""},
                                          {"still triangles", static_cast<double>(standers_.count()), "", ""},
-                                         {"left out, facing away", static_cast<double>(movers_.facingAway + standers_.facingAway), "", ""}};
+                                         {"left out, facing away", static_cast<double>(movers_.facingAway + standers_.facingAway), "", ""},
+                                         {"left out, nothing behind", static_cast<double>(movers_.nothingBehind + standers_.nothingBehind), "", ""}};
     const auto add = [&](const std::string& which, const CandidateGrid& grid, const CandidateGridSize& wanted, std::size_t casters) {
         const auto entries = static_cast<double>(grid.entries());
         figures.push_back({which + "grid side", static_cast<double>(grid.side()), "cells",

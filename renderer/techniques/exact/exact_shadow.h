@@ -14,8 +14,8 @@ namespace timeshade {
 /// the rounding of floats (about 4e-7 of the distances), and casters within 1e-5 of the segment's length, which the definition leaves out. In the line of
 /// irregular shadow mapping (Johnson et al. 2005) and hybrid ray-traced shadows (Story 2015), extended in time.
 ///
-/// Of closed surfaces only the triangles are listed that may face the light (ClosedSurfaces), which tells the same about every
-/// receiver: one that another part of the surface hides from the light is hidden by a part that faces it.
+/// Listed is what may make a difference: of closed surfaces only the triangles that may face the light, as whatever a closed surface
+/// hides from the light is hidden by one of those (ClosedSurfaces), and nothing of the scene's backdrop, behind which nothing lies (Backdrop).
 class ExactShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -36,19 +36,20 @@ class ExactShadow final : public Technique {
     const gl::Program& lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines);
     struct Casters {
         std::vector<std::uint32_t> listed;
-        std::size_t facingAway = 0;  ///< left out: they face away from the light, and their surfaces are crossed in pairs
-        std::size_t count() const { return listed.size() + facingAway; }
+        std::size_t facingAway = 0;     ///< left out: they face away from the light, and their surfaces are crossed in pairs
+        std::size_t nothingBehind = 0;  ///< left out: they belong to the backdrop
+        std::size_t count() const { return listed.size() + facingAway + nothingBehind; }
     };
-    Casters movingCasters(const FramePlan& plan) const;
-    Casters stillCasters(const FramePlan& plan) const;
-    void addCasters(const FramePlan& plan, const std::vector<std::uint32_t>& ids, Casters& casters) const;
+    Casters castersOf(const FramePlan& plan, const std::vector<std::uint32_t>& ids, const std::vector<std::uint32_t>& more = {}) const;
+    Casters movingCasters(const FramePlan& plan) const { return castersOf(plan, plan.casters.moving, plan.casters.nearPlane); }
+    Casters stillCasters(const FramePlan& plan) const { return castersOf(plan, plan.casters.still); }
     CandidateGridSize wantedFor(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool moving) const;
 
     gl::ProgramCache& programs_;
     int side_ = 0, buckets_ = 0;
     CandidateGridSize wantedMoving_, wantedStill_;
     std::optional<CandidateGrid> moving_, still_;  ///< none where nothing moves, or stands still, in the light's frame
-    bool pairs_ = true;
+    bool listAll_ = false;
     std::uint64_t stillVersion_ = 0;
     int stillSide_ = 0;
     Casters movers_, standers_;  ///< of the frame drawn last
