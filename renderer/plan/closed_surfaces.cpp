@@ -78,18 +78,17 @@ Connected connect(const std::vector<glm::u32vec3>& triangles) {
     }
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle); });
     Connected connected{Sets(triangles.size()), std::vector<char>(triangles.size()), std::vector<char>(triangles.size())};
-    std::vector<std::pair<std::uint32_t, int>> uneven;
-    std::vector<std::uint32_t> branching;
+    std::vector<std::uint32_t> uneven, branching;
     for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
         int sum = 0;
         for (end = first; end < edges.size() && edges[end].low == edges[first].low && edges[end].high == edges[first].high; ++end) {
             sum += edges[end].sense;
             connected.sets.join(edges[first].triangle, edges[end].triangle);
         }
-        if (sum != 0) uneven.emplace_back(edges[first].triangle, sum);
+        if (sum != 0) uneven.push_back(edges[first].triangle);
         if (end - first > 2) branching.push_back(edges[first].triangle);
     }
-    for (const auto& [triangle, sum] : uneven) connected.open[connected.sets.of(triangle)] = 1;
+    for (const std::uint32_t triangle : uneven) connected.open[connected.sets.of(triangle)] = 1;
     for (const std::uint32_t triangle : branching) connected.branching[connected.sets.of(triangle)] = 1;
     return connected;
 }
@@ -126,7 +125,7 @@ bool boundsASolid(const std::vector<glm::dvec3>& positions, const std::vector<gl
     const glm::dvec3 centre = positions[triangles.front().x];  // any point; a near one keeps precision
     double enclosed = 0.0;
     for (const glm::u32vec3& t : triangles) enclosed += volume(positions[t.x] - centre, positions[t.y] - centre, positions[t.z] - centre);
-    return enclosed > 0.0 && !crossesItself(positions, triangles);
+    return enclosed > 0.0 && !mayCrossItself(positions, triangles);
 }
 
 /// The distance along the view's axis as a linear function of a place relative to the eye.
