@@ -5,13 +5,11 @@
 #include <cstdint>
 #include <numeric>
 
+#include "scene/scene.h"
+
 namespace timeshade {
 
 namespace {
-
-struct Box {
-    glm::dvec3 low, high;
-};
 
 /// On which side of a plane through a, b and c a point lies: 0 within what doubles can tell.
 int sideOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -46,23 +44,23 @@ int cornersInCommon(const glm::u32vec3& a, const glm::u32vec3& b) {
     return static_cast<int>(has(b, a.x)) + static_cast<int>(has(b, a.y)) + static_cast<int>(has(b, a.z));
 }
 
-bool apart(const Box& a, const Box& b) { return glm::any(glm::greaterThan(a.low, b.high)) || glm::any(glm::greaterThan(b.low, a.high)); }
+bool apart(const Bounds& a, const Bounds& b) { return glm::any(glm::greaterThan(a.low, b.high)) || glm::any(glm::greaterThan(b.low, a.high)); }
 
 /// Looks for two triangles that cross by halving space until few triangles are left in each part; what reaches over a border is in both.
 class Search {
   public:
     Search(const std::vector<glm::dvec3>& positions, const std::vector<glm::u32vec3>& triangles) : positions_(positions), triangles_(triangles) {
         for (const glm::u32vec3& t : triangles) {
-            const glm::dvec3 &a = positions[t.x], &b = positions[t.y], &c = positions[t.z];
-            boxes_.push_back({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
+            Bounds& box = boxes_.emplace_back();
+            for (int corner = 0; corner < 3; ++corner) box.add(positions[t[corner]]);
         }
     }
 
     bool among(const std::vector<std::uint32_t>& ids) {
         constexpr std::size_t few = 32;
         if (ids.size() <= few) return pairs(ids);
-        Box all{glm::dvec3(1e300), glm::dvec3(-1e300)};
-        for (const std::uint32_t id : ids) all = {glm::min(all.low, boxes_[id].low), glm::max(all.high, boxes_[id].high)};
+        Bounds all;
+        for (const std::uint32_t id : ids) all.add(boxes_[id]);
         const glm::dvec3 extent = all.high - all.low;
         const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
         std::vector<double> middles;
@@ -96,7 +94,7 @@ class Search {
 
     const std::vector<glm::dvec3>& positions_;
     const std::vector<glm::u32vec3>& triangles_;
-    std::vector<Box> boxes_;
+    std::vector<Bounds> boxes_;
     std::uint64_t pairsLeft_ = 100'000'000;
 };
 
