@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "headless.h"
 #include "make_context.h"
 #include "measure/case_matrix.h"
 #include "measure/case_picture.h"
-#include "scene/error.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -22,8 +22,8 @@ void printRow(const CaseResult& r) {
         fmt::print("{:<13} {:<25} {:>8.4f}  {}\n", r.technique, r.caseName, r.exact, r.reason);
         return;
     }
-    fmt::print("{:<13} {:<25} {:>8.4f} {:>8.4f} {:>8.4f} {:>9.4f} {:>9.4f}  {}\n", r.technique, r.caseName, r.exact, r.value, r.error(),
-               r.tolerance, r.predicted, nameOf(r.verdict));
+    fmt::print("{:<13} {:<25} {:>8.4f} {:>8.4f} {:>8.4f} {:>9.4f} {:>9.4f}  {}\n", r.technique, r.caseName, r.exact,
+               r.value, r.error(), r.tolerance, r.predicted, nameOf(r.verdict));
 }
 
 std::string asJson(const std::vector<CaseResult>& results) {
@@ -45,7 +45,7 @@ std::string asJson(const std::vector<CaseResult>& results) {
     return json.dump(2) + "\n";
 }
 
-} // namespace
+}  // namespace
 
 int runCases(const Options& options) {
     if (!options.output.empty()) requireWritable(options.output);
@@ -60,7 +60,8 @@ int runCases(const Options& options) {
     renderer.setChecked(options.debugGl);
     const bool quiet = options.json == "-";
     if (!quiet)
-        fmt::print("{:<13} {:<25} {:>8} {:>8} {:>8} {:>9} {:>9}  verdict\n", "technique", "case", "exact", "value", "error", "tolerance", "predicted");
+        fmt::print("{:<13} {:<25} {:>8} {:>8} {:>8} {:>9} {:>9}  verdict\n", "technique", "case", "exact", "value",
+                   "error", "tolerance", "predicted");
     std::vector<CaseResult> results;
     const auto take = [&](CaseResult result) {
         results.push_back(std::move(result));
@@ -74,7 +75,8 @@ int runCases(const Options& options) {
         one.technique = name;
         const std::unique_ptr<Technique> technique = techniqueFor(one, renderer.programs());
         for (const ClosedFormCase& c : closedFormCases())
-            if (c.kind != ClosedFormCase::Kind::Numeric) take(runCase(renderer, *technique, c, {options.samplesPerPixel, options.mapSize}));
+            if (c.kind != ClosedFormCase::Kind::Numeric)
+                take(runCase(renderer, *technique, c, {options.samplesPerPixel, options.mapSize}));
         take(runContactGaps(renderer, *technique, {options.samplesPerPixel, options.mapSize}));
     }
     watch.requireSilence();
@@ -90,4 +92,4 @@ int runCases(const Options& options) {
     return 1;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

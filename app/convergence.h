@@ -4,7 +4,8 @@
 
 namespace timeshade {
 
-/// `timeshade measure --history-frames`: how a still picture converges with the number of frames. Returns the exit code.
+/// `timeshade measure --history-frames`: how a still picture converges with the number of frames. Returns the exit
+/// code.
 int runConvergence(const Options& options);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -6,7 +6,8 @@
 
 namespace timeshade {
 
-DisplayImage drawDiagnostic(FrameRenderer& renderer, const FramePlan& plan, Technique& technique, Diagnostic diagnostic) {
+DisplayImage drawDiagnostic(FrameRenderer& renderer, const FramePlan& plan, Technique& technique,
+                            Diagnostic diagnostic) {
     const int width = plan.request.width, height = plan.request.height;
     if (diagnostic == Diagnostic::Error) {
         ReferenceCache cache;
@@ -26,4 +27,4 @@ DisplayImage drawDiagnostic(FrameRenderer& renderer, const FramePlan& plan, Tech
     return view.draw(renderer.readPicture());
 }
 
-} // namespace timeshade
+}  // namespace timeshade

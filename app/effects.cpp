@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "image/image_file.h"
@@ -12,7 +13,6 @@
 #include "measure/effects.h"
 #include "progress.h"
 #include "report.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 
 namespace timeshade {
@@ -20,18 +20,26 @@ namespace timeshade {
 namespace {
 
 nlohmann::ordered_json toJson(const EffectRow& row) {
-    return {{"effect", row.effect},       {"technique", row.technique},       {"moving_casters", row.movingCasters},
-            {"moving_seen", row.movingSeen}, {"milliseconds", row.milliseconds}, {"figures", row.figures},
-            {"bytes", row.bytes},         {"of_unplanned", row.unplannedShare}, {"passes", row.passes}};
+    return {{"effect", row.effect},
+            {"technique", row.technique},
+            {"moving_casters", row.dynamicCasters},
+            {"moving_seen", row.movingSeen},
+            {"milliseconds", row.milliseconds},
+            {"figures", row.statistics},
+            {"bytes", row.bytes},
+            {"of_unplanned", row.forcedShare},
+            {"passes", row.passes}};
 }
 
-} // namespace
+}  // namespace
 
 int runEffects(const Options& options) {
     const std::filesystem::path folder(options.output);
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error(fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    if (failure)
+        throw Error(
+            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
     std::vector<std::string> names = options.measuredScenes;
     if (names.empty())
         for (const BuiltInScene& scene : showcase()) names.push_back(scene.name);
@@ -51,16 +59,20 @@ int runEffects(const Options& options) {
             progress->update(done);
         };
         const std::vector<EffectRow> rows = measureEffects(*scene, request, effects);
-        report += fmt::format("## {}, frame {:g}, shutter {:g}\n\n{}\n", name, request.frame, request.shutter.length, effectsTable(rows));
+        report += fmt::format("## {}, frame {:g}, shutter {:g}\n\n{}\n", name, request.frame, request.shutter.length,
+                              effectsTable(rows));
         for (const EffectRow& row : rows) json[name].push_back(toJson(row));
     }
     watch.requireSilence();
-    const std::string head = fmt::format("# What each effect costs\n\n{}. {} x {}, {} samples a pixel, map {}. Medians over {} frames in a row, in ms.\n\n",
-                                         deviceLine(gl::currentDevice()), options.width, options.height, options.samplesPerPixel, options.mapSize, options.rounds);
+    const std::string head = fmt::format(
+        "# What each effect costs\n\n{}. {} x {}, {} samples a pixel, map {}. Medians over {} frames in a row, in "
+        "ms.\n\n",
+        deviceLine(gl::currentDevice()), options.width, options.height, options.samplesPerPixel, options.mapSize,
+        options.rounds);
     writeFileAtomically(folder / "effects.md", head + report);
     writeFileAtomically(folder / "effects.json", json.dump(2) + "\n");
     fmt::print("{}{}\n", report, std::filesystem::absolute(folder / "effects.md").lexically_normal().string());
     return 0;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -4,7 +4,8 @@
 
 namespace timeshade {
 
-/// `timeshade measure --effects`: what each thing that moves in a scene costs, and what the plan saves. Returns the exit code.
+/// `timeshade measure --effects`: what each thing that moves in a scene costs, and what the plan saves. Returns the
+/// exit code.
 int runEffects(const Options& options);
 
-} // namespace timeshade
+}  // namespace timeshade

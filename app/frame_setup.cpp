@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -16,12 +16,13 @@ FrameRequest requestOfShutter(const Options& options, const Scene& scene) {
     request.samplesPerPixel = options.samplesPerPixel;
     request.mapSize = options.mapSize;
     request.seed = options.seed;
-    request.planned = !options.noPlan;
-    request.keeps = !options.noKeep;
+    request.forceDynamic = options.forceDynamic;
+    request.useCaches = !options.noCache;
     request.shutter.framesPerSecond = options.framesPerSecond.value_or(scene.defaults().framesPerSecond);
     request.shutter.length = options.shutterLength.value_or(scene.defaults().shutterLength);
     request.shutter.position = options.shutterPosition;
-    request.frame = options.seconds ? *options.seconds * request.shutter.framesPerSecond : options.frame.value_or(scene.defaults().frame);
+    request.frame = options.seconds ? *options.seconds * request.shutter.framesPerSecond
+                                    : options.frame.value_or(scene.defaults().frame);
     request.cameraPose = options.pose;
     if (options.camera.empty()) return request;
     std::string known;
@@ -32,10 +33,11 @@ FrameRequest requestOfShutter(const Options& options, const Scene& scene) {
         }
         known += (i == 0 ? "" : ", ") + scene.cameras()[i].name;
     }
-    throw UsageError(fmt::format("--camera {}: {} has no such camera; expected one of {}", options.camera, scene.name(), known));
+    throw UsageError(
+        fmt::format("--camera {}: {} has no such camera; expected one of {}", options.camera, scene.name(), known));
 }
 
-} // namespace
+}  // namespace
 
 FrameRequest requestFor(const Options& options, const Scene& scene) {
     const FrameRequest request = requestOfShutter(options, scene);
@@ -59,4 +61,4 @@ std::unique_ptr<Technique> techniqueFor(const Options& options, gl::ProgramCache
     return technique;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

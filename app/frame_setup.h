@@ -5,7 +5,7 @@
 #include "options.h"
 #include "plan/frame_request.h"
 #include "scene/scene.h"
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
@@ -19,4 +19,4 @@ FrameRequest atInstant(const FrameRequest& request, double u);
 /// The technique that the options name, with their settings.
 std::unique_ptr<Technique> techniqueFor(const Options& options, gl::ProgramCache& programs);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade {
 
@@ -12,7 +12,8 @@ DriverWatch::DriverWatch(bool on) {
 
 void DriverWatch::requireSilence() const {
     if (log_ && !log_->messages().empty())
-        throw Error(fmt::format("the driver complained {} times, first: {}", log_->messages().size(), log_->messages().front()));
+        throw Error(fmt::format("the driver complained {} times, first: {}", log_->messages().size(),
+                                log_->messages().front()));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -17,4 +17,4 @@ class DriverWatch {
     std::optional<gl::DebugLog> log_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

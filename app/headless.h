@@ -15,4 +15,4 @@ int runCases(const Options& options);
 /// `timeshade list`.
 int runList(const Options& options);
 
-} // namespace timeshade
+}  // namespace timeshade

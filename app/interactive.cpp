@@ -14,6 +14,7 @@
 #include <imgui.h>
 
 #include "contexts/window_context.h"
+#include "core/error.h"
 #include "frame_setup.h"
 #include "gl/debug_log.h"
 #include "image/image_file.h"
@@ -21,7 +22,6 @@
 #include "panels/comparison_view.h"
 #include "panels/panels.h"
 #include "report.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 #include "window/controls.h"
 #include "window/session.h"
@@ -45,8 +45,8 @@ WindowOptions windowOptions(const Options& options, const WindowMemory& memory) 
         window.height = memory.height;
     }
     // Options start with the size of a headless picture.
-    const Options untouched;
-    if (options.width != untouched.width || options.height != untouched.height) {
+    const Options defaults;
+    if (options.width != defaults.width || options.height != defaults.height) {
         window.width = options.width;
         window.height = options.height;
     }
@@ -59,11 +59,15 @@ WindowOptions windowOptions(const Options& options, const WindowMemory& memory) 
 class Interactive {
   public:
     Interactive(const Options& options, std::unique_ptr<Scene> scene, const WindowContext& context, MemoryFile& memory)
-        : window_(context.handle()), ui_(window_), memory_(memory), session_(options, std::move(scene), context.backEnd()) {
+        : window_(context.handle()),
+          ui_(window_),
+          memory_(memory),
+          session_(options, std::move(scene), context.backEnd()) {
         const WindowMemory& before = memory_.atStart();
         session_.textScale = before.textScale;
         session_.sections = before.sections;
-        for (auto path = before.recentScenes.rbegin(); path != before.recentScenes.rend(); ++path) session_.remember(*path);
+        for (auto path = before.recentScenes.rbegin(); path != before.recentScenes.rend(); ++path)
+            session_.remember(*path);
         session_.remember(session_.sceneName);
     }
 
@@ -107,8 +111,10 @@ class Interactive {
 void Interactive::wait() {
     if (ui_.events().takeActivity()) framesLeft_ = framesAfterActivity;
     const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
-    const bool busy = framesLeft_ > 0 || ui_.events().mouse().pending() || session_.playback.playing() || session_.wishedScreenshot || session_.recording.on();
-    const double untilWork = std::min({session_.driver.sleep(glfwGetTime()).value_or(longestSleep), session_.comparison.sleep(glfwGetTime()).value_or(longestSleep), longestSleep});
+    const bool busy = framesLeft_ > 0 || ui_.events().mouse().pending() || session_.playback.playing() ||
+                      session_.wishedScreenshot || session_.recording.on();
+    const double untilWork = std::min({session_.driver.sleep(glfwGetTime()).value_or(longestSleep),
+                                       session_.comparison.sleep(glfwGetTime()).value_or(longestSleep), longestSleep});
     if (minimised)
         glfwWaitEventsTimeout(longestSleep);
     else if (busy || untilWork <= 0.0)
@@ -139,7 +145,9 @@ void Interactive::drawFrame(int width, int height) {
     handleSettings();
     keepLayout();
 
-    const auto pixels = [&](float units) { return std::clamp(static_cast<int>(std::lround(units * ui_.pixelsPerUnit())), 1, maximumImageSide); };
+    const auto pixels = [&](float units) {
+        return std::clamp(static_cast<int>(std::lround(units * ui_.pixelsPerUnit())), 1, maximumImageSide);
+    };
     session_.request.width = pixels(layout.picture.size.x);
     session_.request.height = pixels(layout.picture.size.y);
     const ImGuiIO& io = ImGui::GetIO();
@@ -147,11 +155,13 @@ void Interactive::drawFrame(int width, int height) {
     const FrameDriver::Wanted wanted = session_.wanted(held);
     if (session_.driver.update(wanted, session_.now)) framesLeft_ = std::max(framesLeft_, 2);
     if (session_.comparison.update(session_, wanted)) framesLeft_ = std::max(framesLeft_, 2);
-    if (std::exchange(session_.wishedRecording, false)) session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
+    if (std::exchange(session_.wishedRecording, false))
+        session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
     if (!session_.recording.on() && session_.probe.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
     if (session_.recording.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
     // One after the other: a step of each would make the window slower to answer.
-    if (session_.diagnosticPicture.update(session_, session_.request.width) || session_.accuracy.update(session_)) framesLeft_ = std::max(framesLeft_, 2);
+    if (session_.diagnosticPicture.update(session_, session_.request.width) || session_.accuracy.update(session_))
+        framesLeft_ = std::max(framesLeft_, 2);
     if (session_.wishedScreenshot) takeScreenshot();
     if (session_.comparison.on() && session_.comparison.picture() != nullptr)
         drawComparison(session_, widgets, layout.picture);
@@ -175,7 +185,8 @@ void Interactive::drawPicture(const Area& area) {
 void Interactive::drawCompared(const gl::Texture& compared, const Area& area) {
     const auto width = static_cast<float>(compared.width()), height = static_cast<float>(compared.height());
     const float factor = std::min(area.size.x / width, area.size.y / height);
-    const ImVec2 corner{area.position.x + 0.5f * (area.size.x - factor * width), area.position.y + 0.5f * (area.size.y - factor * height)};
+    const ImVec2 corner{area.position.x + 0.5f * (area.size.x - factor * width),
+                        area.position.y + 0.5f * (area.size.y - factor * height)};
     const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(compared.name()));
     ImGui::GetBackgroundDrawList()->AddImage(id, corner, {corner.x + factor * width, corner.y + factor * height});
 }
@@ -189,13 +200,15 @@ DisplayImage Interactive::pictureToSave() {
 
 std::string Interactive::manifestToSave() {
     if (session_.comparison.on()) return session_.comparison.manifests(session_);
-    return manifest(session_.renderer, *session_.technique, session_.sceneName, *session_.scene, session_.backEnd, session_.driver.times().medians());
+    return manifest(session_.renderer, *session_.technique, session_.sceneName, *session_.scene, session_.backEnd,
+                    session_.driver.times().medians());
 }
 
 void Interactive::takeScreenshot() {
     using State = FrameDriver::State;
     const State state = session_.driver.state();
-    if (state == State::Drawing || (state == State::Complete && session_.driver.preview())) return;  // later, when it is whole
+    if (state == State::Drawing || (state == State::Complete && session_.driver.preview()))
+        return;  // later, when it is whole
     const bool comparing = session_.comparison.on();
     if (comparing && !session_.comparison.settled(session_) && state == State::Complete) return;
     session_.wishedScreenshot = false;
@@ -209,7 +222,8 @@ void Interactive::takeScreenshot() {
     if (exr) path.replace_extension(".exr");
     try {
         if (exr)
-            writeExr(path, comparing ? session_.comparison.composedRadiance(session_) : session_.renderer.readRadiance());
+            writeExr(path,
+                     comparing ? session_.comparison.composedRadiance(session_) : session_.renderer.readRadiance());
         else
             writePng(path, pictureToSave(), manifestToSave());
         session_.lastScreenshot = path.string();
@@ -251,8 +265,9 @@ void Interactive::keepLayout() {
 
 void Interactive::reportState(int width, int height) {
     const FrameDriver& driver = session_.driver;
-    const std::string title = fmt::format("Timeshade: {}, {}{}", std::filesystem::path(session_.sceneName).filename().string(),
-                                          session_.technique->description().title, session_.renderer.device().software ? " (software renderer)" : "");
+    const std::string title = fmt::format(
+        "Timeshade: {}, {}{}", std::filesystem::path(session_.sceneName).filename().string(),
+        session_.technique->description().title, session_.renderer.device().software ? " (software renderer)" : "");
     if (title != title_) glfwSetWindowTitle(window_, title.c_str());
     title_ = title;
     if (!dump_.enabled()) return;
@@ -277,9 +292,11 @@ void Interactive::reportState(int width, int height) {
     if (driver.state() == FrameDriver::State::Failed) dump_.state("failure", driver.failure());
     static constexpr const char* diagnostics[] = {"none", "error", "disagreement"};
     dump_.state("view", session_.viewName());
-    dump_.state("diagnostic", {diagnostics[static_cast<int>(session_.diagnostic)], driver.settled() && session_.diagnosticPicture.complete()});
+    dump_.state("diagnostic", {diagnostics[static_cast<int>(session_.diagnostic)],
+                               driver.settled() && session_.diagnosticPicture.complete()});
     dump_.state("screenshot", session_.lastScreenshot);
-    dump_.state("compare", session_.comparison.on() ? session_.comparison.variants(session_) : std::vector<std::string>{});
+    dump_.state("compare",
+                session_.comparison.on() ? session_.comparison.variants(session_) : std::vector<std::string>{});
     dump_.state("compared", session_.comparison.settled(session_));
     dump_.state("seam", session_.comparison.seam);
     dump_.state("instant", session_.instant.value_or(-1.0));
@@ -294,20 +311,24 @@ void Interactive::reportState(int width, int height) {
     dump_.state("keys", keysHandled_);
     dump_.state("frames", ++framesDrawn_);
     const ImGuiIO& io = ImGui::GetIO();
-    dump_.state("mouse", {static_cast<int>(io.MousePos.x), static_cast<int>(io.MousePos.y), io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2]});
+    dump_.state("mouse", {static_cast<int>(io.MousePos.x), static_cast<int>(io.MousePos.y),
+                          io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2]});
 }
 
 void writeReport(const Options& options, Session& session) {
     if (options.json.empty() || !session.driver.hasPlan()) return;
-    const std::string text = manifest(session.renderer, *session.technique, session.sceneName, *session.scene, session.backEnd, session.driver.times().medians());
+    const std::string text = manifest(session.renderer, *session.technique, session.sceneName, *session.scene,
+                                      session.backEnd, session.driver.times().medians());
     writeFileAtomically(options.json, text);
 }
 
-} // namespace
+}  // namespace
 
 int runInteractive(const Options& options) {
     if (options.context.kind == ContextKind::Egl || options.context.kind == ContextKind::OsMesa)
-        throw UsageError("--context: the window makes its own context; expected auto or window (egl and osmesa are for headless commands)");
+        throw UsageError(
+            "--context: the window makes its own context; expected auto or window (egl and osmesa are for headless "
+            "commands)");
     if (!options.json.empty()) requireWritable(options.json);
     std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     const FrameRequest request = requestFor(options, *scene);
@@ -327,8 +348,9 @@ int runInteractive(const Options& options) {
         writeReport(options, session);
     }
     if (log && !log->messages().empty())
-        throw Error(fmt::format("the driver complained {} times, first: {}", log->messages().size(), log->messages().front()));
+        throw Error(
+            fmt::format("the driver complained {} times, first: {}", log->messages().size(), log->messages().front()));
     return 0;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -7,4 +7,4 @@ namespace timeshade {
 /// `timeshade view`: the window. Returns the exit code.
 int runInteractive(const Options& options);
 
-} // namespace timeshade
+}  // namespace timeshade

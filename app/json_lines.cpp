@@ -30,4 +30,4 @@ std::map<std::string, int> linesOfKeys(const std::string& json) {
     return lines;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

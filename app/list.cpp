@@ -26,12 +26,14 @@ nlohmann::ordered_json asJson(const Setting& setting) {
 void listAsJson() {
     nlohmann::ordered_json json;
     for (const BuiltInScene& scene : builtInScenes()) {
-        nlohmann::ordered_json entry{{"name", scene.name}, {"summary", scene.summary}, {"settings", nlohmann::ordered_json::array()}};
+        nlohmann::ordered_json entry{
+            {"name", scene.name}, {"summary", scene.summary}, {"settings", nlohmann::ordered_json::array()}};
         if (const std::unique_ptr<SceneRecipe> recipe = makeRecipe(scene.name))
             for (const Setting& setting : settingsOf(*recipe)) entry["settings"].push_back(asJson(setting));
         json["scenes"].push_back(entry);
     }
-    for (const BuiltInScene& scene : caseScenes()) json["cases"].push_back({{"name", scene.name}, {"summary", scene.summary}});
+    for (const BuiltInScene& scene : caseScenes())
+        json["cases"].push_back({{"name", scene.name}, {"summary", scene.summary}});
     gl::ProgramCache programs;
     for (const TechniqueDescription& description : techniqueDescriptions()) {
         nlohmann::ordered_json technique{{"name", description.name},
@@ -39,7 +41,8 @@ void listAsJson() {
                                          {"summary", description.summary},
                                          {"source", description.source},
                                          {"settings", nlohmann::ordered_json::array()}};
-        for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs))) technique["settings"].push_back(asJson(setting));
+        for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs)))
+            technique["settings"].push_back(asJson(setting));
         technique["views"] = nlohmann::ordered_json::array();
         for (const TechniqueView& view : makeTechnique(description.name, programs)->views())
             technique["views"].push_back({{"name", view.name}, {"title", view.title}, {"unit", view.unit}});
@@ -49,9 +52,10 @@ void listAsJson() {
 }
 
 void listSetting(const std::string& owner, const Setting& setting) {
-    const std::string range = setting.isSwitch() ? fmt::format("{} (on or off)", setting.defaultValue != 0.0 ? "on" : "off")
-                                                 : fmt::format("{:g} ({:g} to {:g}, {})", setting.defaultValue, setting.minimum,
-                                                               setting.maximum, setting.unit);
+    const std::string range = setting.isSwitch()
+                                  ? fmt::format("{} (on or off)", setting.defaultValue != 0.0 ? "on" : "off")
+                                  : fmt::format("{:g} ({:g} to {:g}, {})", setting.defaultValue, setting.minimum,
+                                                setting.maximum, setting.unit);
     fmt::print("    {}.{} = {}\n        {}\n", owner, setting.key, range, setting.help);
 }
 
@@ -68,7 +72,8 @@ void listAsText() {
     gl::ProgramCache programs;
     for (const TechniqueDescription& description : techniqueDescriptions()) {
         fmt::print("  {:<13} {}\n  {:<13} ({})\n", description.name, description.summary, "", description.source);
-        for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs))) listSetting(description.name, setting);
+        for (const Setting& setting : settingsOf(*makeTechnique(description.name, programs)))
+            listSetting(description.name, setting);
         for (const TechniqueView& view : makeTechnique(description.name, programs)->views())
             fmt::print("    --view {}\n        {}\n", view.name, view.title);
     }
@@ -78,7 +83,8 @@ void listDeviceNames(bool json) {
     const std::vector<DeviceDescription> devices = listDevices();
     if (json) {
         nlohmann::ordered_json array = nlohmann::ordered_json::array();
-        for (const DeviceDescription& device : devices) array.push_back({{"index", device.index}, {"name", device.name}});
+        for (const DeviceDescription& device : devices)
+            array.push_back({{"index", device.index}, {"name", device.name}});
         fmt::print("{}\n", array.dump(2));
         return;
     }
@@ -86,7 +92,7 @@ void listDeviceNames(bool json) {
     for (const DeviceDescription& device : devices) fmt::print("{:>3}  {}\n", device.index, device.name);
 }
 
-} // namespace
+}  // namespace
 
 int runList(const Options& options) {
     if (options.listDevices)
@@ -98,4 +104,4 @@ int runList(const Options& options) {
     return 0;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

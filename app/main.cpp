@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "headless.h"
 #include "interactive.h"
 #include "measure.h"
 #include "options.h"
-#include "scene/error.h"
 #include "verify.h"
 
 namespace {
@@ -33,17 +33,19 @@ int run(const timeshade::Options& options) {
 /// One line, whatever the names and values in it hold.
 int fail(int code, std::string what) {
     std::fflush(stdout);
-    std::replace_if(what.begin(), what.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    std::replace_if(
+        what.begin(), what.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     fmt::print(stderr, "timeshade: error: {}\n", what);
     return code;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argumentCount, char** arguments) {
     try {
         const int code = run(timeshade::parseCommandLine(argumentCount, arguments));
-        if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+        if (std::fflush(stdout) != 0)
+            throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
         return code;
     } catch (const timeshade::UsageError& error) {
         return fail(2, error.what());

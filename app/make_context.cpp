@@ -13,4 +13,4 @@ std::unique_ptr<GlContext> makeContext(ContextOptions options, bool debug) {
     return std::make_unique<WindowContext>(window);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

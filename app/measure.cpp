@@ -1,17 +1,17 @@
 #include "measure.h"
 
+#include <timeshade/commit.h>  // generated
+#include <unistd.h>
 #include <array>
 #include <cstdio>
 #include <fstream>
 #include <memory>
 #include <sstream>
-#include <timeshade/commit.h>  // generated
-#include <unistd.h>
 
 #include <fmt/format.h>
 
-
 #include "convergence.h"
+#include "core/error.h"
 #include "effects.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
@@ -19,7 +19,6 @@
 #include "measure/sweep_report.h"
 #include "measure/technique_variant.h"
 #include "report.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 #include "techniques/registry.h"
 
@@ -31,7 +30,8 @@ std::string processorName() {
     std::ifstream stream("/proc/cpuinfo");
     std::string line;
     while (std::getline(stream, line))
-        if (line.rfind("model name", 0) == 0) return fmt::format("{}, {} threads", line.substr(line.find(':') + 2), sysconf(_SC_NPROCESSORS_ONLN));
+        if (line.rfind("model name", 0) == 0)
+            return fmt::format("{}, {} threads", line.substr(line.find(':') + 2), sysconf(_SC_NPROCESSORS_ONLN));
     return "unknown";
 }
 
@@ -54,16 +54,19 @@ std::vector<std::string> settingLines(const std::vector<std::string>& techniques
         if (name == "embree") continue;
         const std::unique_ptr<Technique> technique = TechniqueVariant::of(name).make(options.settings, programs);
         for (const Setting& setting : settingsOf(*technique))
-            if (setting.key != "renders") lines.push_back(fmt::format("{}.{} = {:g}", name, setting.key, setting.get()));
+            if (setting.key != "renders")
+                lines.push_back(fmt::format("{}.{} = {:g}", name, setting.key, setting.get()));
     }
     return lines;
 }
 
 /// What moves in a scene's shutter and which passes follow, for the first technique measured.
-std::vector<std::string> planLines(const SweepScene& scene, const std::string& technique, const gl::DeviceInfo& device, gl::ProgramCache& programs) {
+std::vector<std::string> planLines(const SweepScene& scene, const std::string& technique, const gl::DeviceInfo& device,
+                                   gl::ProgramCache& programs) {
     FramePlanner planner(*scene.scene);
     const std::string name = technique == "embree" ? techniqueDescriptions().front().name : technique;
-    std::istringstream text(explain(planner.plan(scene.request), *TechniqueVariant::of(name).make({}, programs), device));
+    std::istringstream text(
+        explain(planner.plan(scene.request), *TechniqueVariant::of(name).make({}, programs), device));
     std::vector<std::string> lines;
     for (std::string line; std::getline(text, line);) lines.push_back(line);
     return lines;
@@ -76,7 +79,7 @@ void showProgress(const std::string& what, int done, int total, double secondsLe
     std::fflush(stderr);
 }
 
-} // namespace
+}  // namespace
 
 int runMeasure(const Options& options) {
     if (!options.historyFrames.empty()) return runConvergence(options);
@@ -84,7 +87,9 @@ int runMeasure(const Options& options) {
     const std::filesystem::path folder(options.output);
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error(fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    if (failure)
+        throw Error(
+            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
 
     SweepOptions sweep;
     std::vector<std::string> names = options.measuredScenes;
@@ -106,7 +111,7 @@ int runMeasure(const Options& options) {
         }
     }
     sweep.settings = options.settings;
-    sweep.efforts = options.measuredEfforts;
+    sweep.sampleCounts = options.measuredSampleCounts;
     sweep.mapSizes = options.measuredMaps;
     sweep.rounds = options.rounds;
     sweep.referenceSamples = options.referenceSamples;
@@ -129,10 +134,12 @@ int runMeasure(const Options& options) {
     manifest.device = renderer.device();
     manifest.settings = settingLines(sweep.techniques, options);
     for (const SweepScene& scene : sweep.scenes)
-        manifest.plans[scene.varied.empty() ? scene.name : fmt::format("{} {}={:g}", scene.name, scene.varied, scene.variedValue)] = planLines(scene, sweep.techniques.front(), renderer.device(), renderer.programs());
+        manifest.plans[scene.varied.empty() ? scene.name
+                                            : fmt::format("{} {}={:g}", scene.name, scene.varied, scene.variedValue)] =
+            planLines(scene, sweep.techniques.front(), renderer.device(), renderer.programs());
     writeSweepReport(folder, manifest, rows);
     fmt::print("{}\n", std::filesystem::absolute(folder / "report.md").lexically_normal().string());
     return 0;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

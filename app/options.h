@@ -28,9 +28,9 @@ struct Options {
     std::string output;
     std::string technique = "tsm";
     std::vector<std::pair<std::string, std::string>> settings;  ///< "tsm.bias", "0.5"
-    std::string camera;  ///< name of one of the scene's cameras; empty for the first
+    std::string camera;              ///< name of one of the scene's cameras; empty for the first
     std::optional<CameraPose> pose;  ///< instead: a camera of one's own, held still
-    std::string clip;    ///< name of one of the file's animations; empty for the first
+    std::string clip;                ///< name of one of the file's animations; empty for the first
     View view = View::Final;
     Diagnostic diagnostic = Diagnostic::None;
     std::string techniqueView;  ///< name of one of the technique's own views, shown instead of `view`; empty for none
@@ -46,33 +46,34 @@ struct Options {
     std::optional<double> shutterLength;    ///< frames; the scene's own where not given
     std::optional<double> instant;          ///< one instant of the shutter, u in [0, 1], instead of all of it
     ShutterPosition shutterPosition = ShutterPosition::Start;
-    std::optional<int> frames;              ///< one where not given; for `record` one turn of the scene's motion
+    std::optional<int> frames;  ///< one where not given; for `record` one turn of the scene's motion
 
     std::vector<std::string> compared;  ///< two TechniqueVariants to draw in one picture; empty for `technique` alone
     CompareMode compareMode = CompareMode::Wipe;
-    double seam = 0.5;                  ///< share of a wipe's width that is the first's
+    double seam = 0.5;  ///< share of a wipe's width that is the first's
 
     VideoCodec codec = VideoCodec::H264;
     int quality = 18;    ///< record: the encoder's constant rate factor, less is better
     std::string script;  ///< record: JSON file of the parts to draw; empty for the options' own scene
 
     bool explain = false;
-    bool noPlan = false, noKeep = false;
-    std::string json;   ///< path for a machine-readable report
-    std::string dump;              ///< folder for verify's data
-    std::optional<double> maxPpm;  ///< verify: exit code 3 above it
+    bool forceDynamic = false, noCache = false;
+    std::string json;                             ///< path for a machine-readable report
+    std::string dump;                             ///< folder for verify's data
+    std::optional<double> maxPpm;                 ///< verify: exit code 3 above it
     std::vector<std::string> measuredScenes;      ///< measure: empty for all built-in ones
     std::vector<std::string> measuredTechniques;  ///< measure: names or TechniqueVariants; empty for all, and Embree
-    std::vector<int> measuredEfforts{1, 2, 4, 8, 16};  ///< measure: samples per pixel
+    std::vector<int> measuredSampleCounts{1, 2, 4, 8, 16};  ///< measure: samples per pixel
     std::vector<int> measuredMaps{512};
-    std::vector<int> historyFrames;  ///< measure: not empty for the convergence of a still picture instead
-    std::string variedSetting;          ///< measure: a computed scene's setting, "cubes.count"; empty for none
+    std::vector<int> historyFrames;         ///< measure: not empty for the convergence of a still picture instead
+    std::string variedSetting;              ///< measure: a computed scene's setting, "cubes.count"; empty for none
     std::vector<std::string> variedValues;  ///< the values that it takes, checked
-    bool effects = false;         ///< measure: what each thing that moves costs instead
-    int rounds = 3;               ///< measure: how often each point is timed, each with a seed of its own
-    int referenceSamples = 256;   ///< measure: samples per pixel of the reference
-    std::string commandLine;      ///< as typed, for manifests
-    std::vector<std::string> arguments;  ///< what was parsed: the command's name first, settings files replaced by what they say
+    bool effects = false;                   ///< measure: what each thing that moves costs instead
+    int rounds = 3;                         ///< measure: how often each point is timed, each with a seed of its own
+    int referenceSamples = 256;             ///< measure: samples per pixel of the reference
+    std::string commandLine;                ///< as typed, for manifests
+    std::vector<std::string>
+        arguments;  ///< what was parsed: the command's name first, settings files replaced by what they say
     bool listDevices = false;
     bool listAsJson = false;
     bool debugGl = false;
@@ -88,4 +89,4 @@ Options parseArguments(const std::vector<std::string>& arguments);
 /// The same with settings of files behind the command's name; a wrong one is named with its place.
 Options parseWithSettings(const std::vector<std::string>& arguments, const std::vector<FileSetting>& settings);
 
-} // namespace timeshade
+}  // namespace timeshade

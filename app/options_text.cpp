@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade {
 
@@ -18,7 +18,8 @@ constexpr std::array<const char*, 3> positions{"start", "centre", "end"};
 constexpr std::array<const char*, 3> compareModes{"wipe", "side", "difference"};
 
 std::string viewOf(const Options& options) {
-    if (options.diagnostic != Diagnostic::None) return options.diagnostic == Diagnostic::Error ? "error" : "disagreement";
+    if (options.diagnostic != Diagnostic::None)
+        return options.diagnostic == Diagnostic::Error ? "error" : "disagreement";
     if (!options.techniqueView.empty()) return options.techniqueView;
     return options.view == View::Visibility ? "visibility" : "final";
 }
@@ -43,7 +44,7 @@ nlohmann::ordered_json valueOf(const std::string& text) {
     return json;
 }
 
-} // namespace
+}  // namespace
 
 std::string textOf(const Setting& setting) {
     if (setting.isSwitch()) return setting.get() != 0.0 ? "on" : "off";
@@ -54,7 +55,8 @@ std::string textOf(const Setting& setting) {
 }
 
 bool isChanged(const Setting& setting) {
-    return setting.get() != (setting.isWhole() ? setting.defaultValue : static_cast<double>(static_cast<float>(setting.defaultValue)));
+    return setting.get() !=
+           (setting.isWhole() ? setting.defaultValue : static_cast<double>(static_cast<float>(setting.defaultValue)));
 }
 
 std::string textOf(const CameraPose& pose) {
@@ -69,8 +71,11 @@ std::string textOf(const CameraPose& pose) {
 
 CameraPose poseFromText(const std::string& text) {
     const auto refuse = [&] {
-        throw UsageError(fmt::format("--pose {}: expected 14 numbers with commas: eye, right, up and back (3 each, the axes at right angles and of "
-                                     "length 1), field of view in radians, nearest distance", text));
+        throw UsageError(
+            fmt::format("--pose {}: expected 14 numbers with commas: eye, right, up and back (3 each, the axes at "
+                        "right angles and of "
+                        "length 1), field of view in radians, nearest distance",
+                        text));
     };
     std::array<double, 14> numbers{};
     const char* at = text.data();
@@ -78,45 +83,53 @@ CameraPose poseFromText(const std::string& text) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const auto [rest, failure] = std::from_chars(at, end, numbers[i]);
         const bool last = i + 1 == numbers.size();
-        if (failure != std::errc{} || !std::isfinite(numbers[i]) || std::abs(numbers[i]) > 1e9 || (last ? rest != end : rest == end || *rest != ',')) refuse();
+        if (failure != std::errc{} || !std::isfinite(numbers[i]) || std::abs(numbers[i]) > 1e9 ||
+            (last ? rest != end : rest == end || *rest != ','))
+            refuse();
         at = rest + 1;
     }
     CameraPose pose;
     pose.eye = {numbers[0], numbers[1], numbers[2]};
-    for (int i = 0; i < 3; ++i) pose.axes[i] = {numbers[std::size_t(3 + 3 * i)], numbers[std::size_t(4 + 3 * i)], numbers[std::size_t(5 + 3 * i)]};
+    for (int i = 0; i < 3; ++i)
+        pose.axes[i] = {numbers[std::size_t(3 + 3 * i)], numbers[std::size_t(4 + 3 * i)],
+                        numbers[std::size_t(5 + 3 * i)]};
     pose.verticalFieldOfView = numbers[12];
     pose.nearDistance = numbers[13];
     const glm::dmat3 product = glm::transpose(pose.axes) * pose.axes;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             if (std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) > 1e-6) refuse();
-    if (glm::determinant(pose.axes) < 0.0 || pose.verticalFieldOfView <= 0.0 || pose.verticalFieldOfView >= 3.14159 || pose.nearDistance <= 0.0) refuse();
+    if (glm::determinant(pose.axes) < 0.0 || pose.verticalFieldOfView <= 0.0 || pose.verticalFieldOfView >= 3.14159 ||
+        pose.nearDistance <= 0.0)
+        refuse();
     return pose;
 }
 
 std::vector<PictureWord> pictureWords(const Options& options) {
-    const Options untouched;
+    const Options defaults;
     std::vector<PictureWord> words;
     const auto add = [&](const std::string& key, const std::string& value) { words.emplace_back(key, value); };
     if (!options.clip.empty()) add("clip", options.clip);
     add("technique", options.technique);
     add("size", fmt::format("{}x{}", options.width, options.height));
-    if (options.samplesPerPixel != untouched.samplesPerPixel) add("spp", fmt::format("{}", options.samplesPerPixel));
-    if (options.mapSize != untouched.mapSize) add("map", fmt::format("{}", options.mapSize));
-    if (options.seed != untouched.seed) add("seed", fmt::format("{}", options.seed));
+    if (options.samplesPerPixel != defaults.samplesPerPixel) add("spp", fmt::format("{}", options.samplesPerPixel));
+    if (options.mapSize != defaults.mapSize) add("map", fmt::format("{}", options.mapSize));
+    if (options.seed != defaults.seed) add("seed", fmt::format("{}", options.seed));
     if (options.frame) add("frame", fmt::format("{}", *options.frame));
     if (options.seconds) add("time", fmt::format("{}", *options.seconds));
     if (options.framesPerSecond) add("fps", fmt::format("{}", *options.framesPerSecond));
     if (options.shutterLength) add("shutter", fmt::format("{}", *options.shutterLength));
-    if (options.shutterPosition != untouched.shutterPosition) add("shutter-position", positions[static_cast<std::size_t>(options.shutterPosition)]);
+    if (options.shutterPosition != defaults.shutterPosition)
+        add("shutter-position", positions[static_cast<std::size_t>(options.shutterPosition)]);
     if (options.instant) add("instant", fmt::format("{}", *options.instant));
     if (!options.camera.empty()) add("camera", options.camera);
     if (options.pose) add("pose", textOf(*options.pose));
     if (viewOf(options) != "final") add("view", viewOf(options));
     if (options.compared.size() == 2) {
         add("compare", options.compared[0] + "," + options.compared[1]);
-        if (options.compareMode != untouched.compareMode) add("compare-mode", compareModes[static_cast<std::size_t>(options.compareMode)]);
-        if (options.seam != untouched.seam) add("seam", fmt::format("{}", options.seam));
+        if (options.compareMode != defaults.compareMode)
+            add("compare-mode", compareModes[static_cast<std::size_t>(options.compareMode)]);
+        if (options.seam != defaults.seam) add("seam", fmt::format("{}", options.seam));
     }
     return words;
 }
@@ -132,7 +145,8 @@ std::string settingsJson(const Options& options, const std::string& windowState)
     nlohmann::ordered_json json;
     json["scene"] = options.scene;
     for (const auto& [key, value] : pictureWords(options)) {
-        const bool number = key == "spp" || key == "map" || key == "seed" || key == "frame" || key == "time" || key == "fps" || key == "shutter" || key == "seam" || key == "instant";
+        const bool number = key == "spp" || key == "map" || key == "seed" || key == "frame" || key == "time" ||
+                            key == "fps" || key == "shutter" || key == "seam" || key == "instant";
         json[key] = number ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);
@@ -140,4 +154,4 @@ std::string settingsJson(const Options& options, const std::string& windowState)
     return json.dump(2) + "\n";
 }
 
-} // namespace timeshade
+}  // namespace timeshade

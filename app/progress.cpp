@@ -1,7 +1,7 @@
 #include "progress.h"
 
-#include <cstdio>
 #include <unistd.h>
+#include <cstdio>
 
 #include <fmt/format.h>
 
@@ -17,4 +17,4 @@ void Progress::update(int done) const {
     if (shown_ && (done % 8 == 0 || done == steps_)) fmt::print(stderr, "\rtimeshade: render {} of {} ", done, steps_);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -2,7 +2,8 @@
 
 namespace timeshade {
 
-/// Progress of brute force on standard error where that is a terminal: one line that is written over and wiped at the end.
+/// Progress of brute force on standard error where that is a terminal: one line that is written over and wiped at the
+/// end.
 class Progress {
   public:
     explicit Progress(int steps);
@@ -16,4 +17,4 @@ class Progress {
     int steps_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

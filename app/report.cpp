@@ -13,23 +13,31 @@ std::string deviceLine(const gl::DeviceInfo& device) {
     return fmt::format("{}{} ({})", device.software ? "SOFTWARE RENDERER: " : "", device.renderer, device.version);
 }
 
-std::string inMebibytes(std::size_t bytes) { return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024.0 * 1024.0)); }
+std::string inMebibytes(std::size_t bytes) {
+    return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024.0 * 1024.0));
+}
 
 std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device) {
     std::vector<PlanLine> lines{
         {"device", deviceLine(device)},
         {"technique", technique.description().title},
-        {"shutter", fmt::format("frame {:g}, open {:g} frames at {:g} frames per second", plan.request.frame, plan.request.shutter.length,
-                                plan.request.shutter.framesPerSecond)},
+        {"shutter", fmt::format("frame {:g}, open {:g} frames at {:g} frames per second", plan.request.frame,
+                                plan.request.shutter.length, plan.request.shutter.framesPerSecond)},
     };
     const MotionSummary& motion = plan.motion;
-    lines.push_back({"motion", fmt::format("{} of {} meshes move in the light's frame, {} of them turn or deform; known from the frame before: {} of {} triangles",
-                                           motion.movingInstances, motion.instances, motion.bendingInstances,
-                                           motion.triangles - motion.decidedAnew, motion.triangles)});
-    if (!plan.request.planned) lines.push_back({"no plan", "every triangle is treated as moving, and nothing is kept"});
-    if (const std::string words = warmUpWords(technique, plan.request); !words.empty()) lines.push_back({"first", words});
+    lines.push_back({"motion", fmt::format("{} of {} meshes move in the light's frame, {} of them turn or deform; "
+                                           "known from the frame before: {} of {} triangles",
+                                           motion.movingInstances, motion.instances, motion.nonTranslatingInstances,
+                                           motion.triangles - motion.reclassified, motion.triangles)});
+    if (plan.request.forceDynamic)
+        lines.push_back({"no plan", "every triangle is treated as moving, and nothing is kept"});
+    if (const std::string words = warmUpWords(technique, plan.request); !words.empty())
+        lines.push_back({"first", words});
     const auto add = [&](const PassDecision& pass) {
-        lines.push_back({pass.name, (pass.triangles > 0 ? fmt::format("{} of {} triangles: ", pass.triangles, plan.motion.triangles) : "") + pass.reason});
+        lines.push_back(
+            {pass.name,
+             (pass.triangles > 0 ? fmt::format("{} of {} triangles: ", pass.triangles, plan.motion.triangles) : "") +
+                 pass.reason});
     };
     for (const PassDecision& pass : plan.passes) add(pass);
     for (const PassDecision& pass : technique.passes(plan)) add(pass);
@@ -40,30 +48,33 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
 
 std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device) {
     std::string text;
-    for (const PlanLine& line : explainedLines(plan, technique, device)) text += fmt::format("{:<15} {}\n", line.word, line.text);
+    for (const PlanLine& line : explainedLines(plan, technique, device))
+        text += fmt::format("{:<15} {}\n", line.word, line.text);
     return text;
 }
 
-std::string inWords(const TechniqueFigure& figure) {
+std::string inWords(const TechniqueStatistic& figure) {
     const double size = std::abs(figure.value);
-    const bool whole = size < 1e15 && (size >= 1e4 || figure.value == std::floor(figure.value));  // no share of so many matters
+    const bool whole =
+        size < 1e15 && (size >= 1e4 || figure.value == std::floor(figure.value));  // no share of so many matters
     std::string text = whole ? fmt::format("{:.0f}", figure.value) : fmt::format("{:.4g}", figure.value);
-    for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(text.size()) - 3; whole && at > (text.front() == '-' ? 1 : 0); at -= 3)
+    for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(text.size()) - 3; whole && at > (text.front() == '-' ? 1 : 0);
+         at -= 3)
         text.insert(static_cast<std::size_t>(at), ",");
     return figure.unit.empty() ? text : text + " " + figure.unit;
 }
 
 std::string countedInWords(const Technique& technique) {
     std::string text;
-    for (const TechniqueFigure& figure : technique.figures()) {
+    for (const TechniqueStatistic& figure : technique.statistics()) {
         text += fmt::format("counted         {}: {}\n", figure.name, inWords(figure));
         if (!figure.warning.empty()) text += fmt::format("beware          {}\n", figure.warning);
     }
     return text;
 }
 
-std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& sceneName, const Scene& scene, const std::string& backEnd,
-                     const std::vector<gl::PassTimer::Reading>& times) {
+std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& sceneName,
+                     const Scene& scene, const std::string& backEnd, const std::vector<gl::PassTimer::Reading>& times) {
     const FrameRequest& request = renderer.plan().request;
     nlohmann::ordered_json json;
     json["timeshade"] = TIMESHADE_VERSION;
@@ -77,14 +88,16 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
             json["settings"][setting.key] = setting.get();
     }
     json["figures"] = nlohmann::ordered_json::array();
-    for (const TechniqueFigure& figure : technique.figures())
-        json["figures"].push_back({{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}, {"warning", figure.warning}});
+    for (const TechniqueStatistic& figure : technique.statistics())
+        json["figures"].push_back(
+            {{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}, {"warning", figure.warning}});
     json["spp"] = request.samplesPerPixel;
     json["size"] = {request.width, request.height};
     json["map"] = request.mapSize;
     json["seed"] = request.seed;
     json["frame"] = request.frame;
-    if (warmUpCount(technique) > 0) json["warm_up"] = {{"frames_before", technique.warmUpFrames()}, {"times_held", technique.heldFrames()}};
+    if (warmUpCount(technique) > 0)
+        json["warm_up"] = {{"frames_before", technique.warmUpFrames()}, {"times_held", technique.heldFrames()}};
     json["fps"] = request.shutter.framesPerSecond;
     json["shutter"] = request.shutter.length;
     json["gl"] = {{"back_end", backEnd},
@@ -100,4 +113,4 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
     return json.dump(2) + "\n";
 }
 
-} // namespace timeshade
+}  // namespace timeshade

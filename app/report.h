@@ -9,7 +9,7 @@
 
 namespace timeshade {
 
-/// What the plan says about one thing: "build/still map", and why it is there.
+/// What the plan says about one thing: "build/static map", and why it is there.
 struct PlanLine {
     std::string word;
     std::string text;
@@ -19,17 +19,17 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
 /// The plan in words: what moves, which passes run, why, and what to beware of.
 std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device);
 
-/// What the technique counted in the frame drawn last, a line each, with what it means where that is not right; empty if
-/// it counted nothing.
+/// What the technique counted in the frame drawn last, a line each, with what it means where that is not right; empty
+/// if it counted nothing.
 std::string countedInWords(const Technique& technique);
 
 /// "12,345", "0.25", with the unit.
-std::string inWords(const TechniqueFigure& figure);
+std::string inWords(const TechniqueStatistic& figure);
 
 /// What --json writes: everything needed to draw the frame again, its times and its memory.
 /// `sceneName` is the scene's as on the command line.
-std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& sceneName, const Scene& scene, const std::string& backEnd,
-                     const std::vector<gl::PassTimer::Reading>& times);
+std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& sceneName,
+                     const Scene& scene, const std::string& backEnd, const std::vector<gl::PassTimer::Reading>& times);
 
 /// "NVIDIA ... (4.5)" or the same with "SOFTWARE RENDERER" in front.
 std::string deviceLine(const gl::DeviceInfo& device);
@@ -37,4 +37,4 @@ std::string deviceLine(const gl::DeviceInfo& device);
 /// "12.3 MiB".
 std::string inMebibytes(std::size_t bytes);
 
-} // namespace timeshade
+}  // namespace timeshade

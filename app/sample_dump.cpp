@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade {
 
@@ -13,7 +13,7 @@ namespace {
 void appendVector(std::string& text, const glm::dvec3& v) {
     fmt::format_to(std::back_inserter(text), ",{:.9g},{:.9g},{:.9g}", v.x, v.y, v.z);
 }
-} // namespace
+}  // namespace
 
 SampleDump::SampleDump(const std::filesystem::path& folder, const FramePlan& plan)
     : folder_(folder), part_(folder.string() + ".part"), samples_("px,py,k,u,id,x,y,z,tested,lit\n") {
@@ -33,7 +33,9 @@ SampleDump::~SampleDump() {
 }
 
 void SampleDump::writeTriangles(const FramePlan& plan) const {
-    std::string text = "id,x0,y0,z0,x1,y1,z1,x2,y2,z2,x0_close,y0_close,z0_close,x1_close,y1_close,z1_close,x2_close,y2_close,z2_close\n";
+    std::string text =
+        "id,x0,y0,z0,x1,y1,z1,x2,y2,z2,x0_close,y0_close,z0_close,x1_close,y1_close,z1_close,x2_close,y2_close,z2_"
+        "close\n";
     const auto& triangles = plan.mesh->topology->triangles;
     for (std::size_t id = 0; id < triangles.size(); ++id) {
         fmt::format_to(std::back_inserter(text), "{}", id);
@@ -58,7 +60,8 @@ void SampleDump::writeLight(const FramePlan& plan) const {
 }
 
 void SampleDump::add(const VerifiedSample& s) {
-    fmt::format_to(std::back_inserter(samples_), "{},{},{},{:.9g},{}", s.index.x, s.index.y, s.index.stratum, s.truth.time, s.triangle);
+    fmt::format_to(std::back_inserter(samples_), "{},{},{},{:.9g},{}", s.index.x, s.index.y, s.index.stratum,
+                   s.truth.time, s.triangle);
     appendVector(samples_, s.truth.position);
     fmt::format_to(std::back_inserter(samples_), ",{},{:.9g}\n", s.truth.tested ? 1 : 0, s.lit);
 }
@@ -72,4 +75,4 @@ void SampleDump::finish() {
     finished_ = true;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

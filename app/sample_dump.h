@@ -7,9 +7,9 @@
 
 namespace timeshade {
 
-/// Writes what `verify` saw as three CSV files that other tools can check: triangles.csv, light.csv, samples.csv (design
-/// section 4). Nine significant digits, one header line each, positions less the plan's origin. The folder appears when
-/// all is whole: until then it has the ending .part.
+/// Writes what `verify` saw as three CSV files that other tools can check: triangles.csv, light.csv, samples.csv
+/// (design section 4). Nine significant digits, one header line each, positions less the plan's origin. The folder
+/// appears when all is whole: until then it has the ending .part.
 class SampleDump {
   public:
     /// Throws Error where the folder is there already or can't be made.
@@ -30,4 +30,4 @@ class SampleDump {
     bool finished_ = false;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -4,9 +4,10 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <timeshade/paths.h>
 
 #include "cases/closed_form_cases.h"
-#include "scene/error.h"
+#include "core/error.h"
 #include "scene/gltf_scene.h"
 
 namespace timeshade {
@@ -16,7 +17,7 @@ std::filesystem::path sceneDirectory() {
     if (const char* folder = std::getenv("TIMESHADE_SCENES")) return folder;
     return std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "assets" / "scenes";
 }
-} // namespace
+}  // namespace
 
 const std::vector<BuiltInScene>& builtInScenes() {
     static const std::vector<BuiltInScene> scenes = [] {
@@ -35,7 +36,9 @@ const std::vector<BuiltInScene>& caseScenes() {
     static const std::vector<BuiltInScene> scenes = [] {
         std::vector<BuiltInScene> all;
         for (const ClosedFormCase& c : closedFormCases())
-            if (c.scene) all.push_back({"case:" + c.name, fmt::format("{}; lit {:.7g}; hard for: {}", c.motion, c.exact, c.breaks)});
+            if (c.scene)
+                all.push_back(
+                    {"case:" + c.name, fmt::format("{}; lit {:.7g}; hard for: {}", c.motion, c.exact, c.breaks)});
         return all;
     }();
     return scenes;
@@ -60,11 +63,14 @@ std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTex
 std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings) {
     if (nameOrPath.starts_with("case:")) {
         const ClosedFormCase& c = closedFormCase(nameOrPath.substr(5));
-        if (!c.scene) throw UsageError(fmt::format("scene '{}': this case has no picture; `timeshade cases` evaluates it", nameOrPath));
+        if (!c.scene)
+            throw UsageError(
+                fmt::format("scene '{}': this case has no picture; `timeshade cases` evaluates it", nameOrPath));
         return std::make_unique<ProceduralScene>(*c.scene);
     }
     if (const std::unique_ptr<SceneRecipe> recipe = recipeFor(nameOrPath, settings)) {
-        if (!clip.empty()) throw Error(fmt::format("--clip {}: scene {} is computed and has no clips", clip, nameOrPath));
+        if (!clip.empty())
+            throw Error(fmt::format("--clip {}: scene {} is computed and has no clips", clip, nameOrPath));
         return recipe->make();
     }
     GltfOptions options;
@@ -74,9 +80,12 @@ std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::strin
         if (scene.name == nameOrPath) return loadGltf(sceneDirectory() / (scene.name + ".glb"), options);
         known += scene.name + ", ";
     }
-    const bool isPath = nameOrPath.ends_with(".gltf") || nameOrPath.ends_with(".glb") || nameOrPath.find('/') != std::string::npos;
-    if (!isPath) throw UsageError(fmt::format("scene '{}': no such scene; expected {}case:NAME or a path to a .gltf or .glb file", nameOrPath, known));
+    const bool isPath =
+        nameOrPath.ends_with(".gltf") || nameOrPath.ends_with(".glb") || nameOrPath.find('/') != std::string::npos;
+    if (!isPath)
+        throw UsageError(fmt::format(
+            "scene '{}': no such scene; expected {}case:NAME or a path to a .gltf or .glb file", nameOrPath, known));
     return loadGltf(nameOrPath, options);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

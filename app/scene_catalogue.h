@@ -31,8 +31,9 @@ std::vector<BuiltInScene> showcase();
 /// The recipe of a computed scene with those of the settings that are its own; null for any other scene.
 std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTexts& settings);
 
-/// Loads or computes a built-in scene or a case by its name, or loads a .gltf or .glb file by its path. Throws UsageError for a name
-/// that is neither, Error for a file that can't be read or that has no such clip.
-std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings = {});
+/// Loads or computes a built-in scene or a case by its name, or loads a .gltf or .glb file by its path. Throws
+/// UsageError for a name that is neither, Error for a file that can't be read or that has no such clip.
+std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip,
+                                 const SettingTexts& settings = {});
 
-} // namespace timeshade
+}  // namespace timeshade

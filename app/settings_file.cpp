@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "json_lines.h"
-#include "scene/error.h"
 
 namespace timeshade {
 
@@ -17,8 +17,8 @@ namespace {
 
 std::string textOf(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
-/// Joined, so that a switch's value is not taken for the scene, nor a negative number for an option. But CLI11 goes on to the
-/// next argument where nothing follows the equals sign.
+/// Joined, so that a switch's value is not taken for the scene, nor a negative number for an option. But CLI11 goes on
+/// to the next argument where nothing follows the equals sign.
 std::vector<std::string> optionOf(const std::string& key, const std::string& value) {
     if (value.empty()) return {"--" + key, ""};
     return {"--" + key + "=" + value};
@@ -36,11 +36,12 @@ nlohmann::json parsed(const std::string& text, const std::string& path) {
     }
 }
 
-} // namespace
+}  // namespace
 
 std::vector<FileSetting> settingsOfJson(const std::string& text, const std::string& path) {
     const nlohmann::json json = parsed(text, path);
-    if (!json.is_object()) throw Error(fmt::format("{}: holds a JSON {}; expected an object of settings", path, json.type_name()));
+    if (!json.is_object())
+        throw Error(fmt::format("{}: holds a JSON {}; expected an object of settings", path, json.type_name()));
     const std::map<std::string, int> lines = linesOfKeys(text);
     const auto placeOf = [&](const std::string& key) { return fmt::format("{}:{}", path, lines.at(key)); };
     std::vector<FileSetting> settings;
@@ -51,11 +52,13 @@ std::vector<FileSetting> settingsOfJson(const std::string& text, const std::stri
         } else if (key == "window" && value.is_object()) {
             continue;
         } else if (key == "settings" || key == "help") {
-            throw Error(fmt::format("{}: \"{}\" is not a setting; expected options that say what to draw", placeOf(key), key));
+            throw Error(
+                fmt::format("{}: \"{}\" is not a setting; expected options that say what to draw", placeOf(key), key));
         } else if (value.is_primitive() && !value.is_null()) {
             settings.push_back({key, optionOf(key, textOf(value)), placeOf(key)});
         } else {
-            throw Error(fmt::format("{}: \"{}\" is {}; expected a number, a string or a switch", placeOf(key), key, value.type_name()));
+            throw Error(fmt::format("{}: \"{}\" is {}; expected a number, a string or a switch", placeOf(key), key,
+                                    value.type_name()));
         }
     }
     return settings;
@@ -70,6 +73,8 @@ std::string textOfFile(const std::string& path, const std::string& option) {
     return bytes.str();
 }
 
-std::vector<FileSetting> readSettingsFile(const std::string& path) { return settingsOfJson(textOfFile(path, "--settings"), path); }
+std::vector<FileSetting> readSettingsFile(const std::string& path) {
+    return settingsOfJson(textOfFile(path, "--settings"), path);
+}
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -12,9 +12,9 @@ struct FileSetting {
     std::string place;  ///< "F.json:12"
 };
 
-/// What a JSON object of settings says: keys are the long options without their dashes, "set" an object of technique and scene
-/// settings, "window" an object of what is the window's alone, which is left out. `path` names the file in messages.
-/// Throws Error that names the line.
+/// What a JSON object of settings says: keys are the long options without their dashes, "set" an object of technique
+/// and scene settings, "window" an object of what is the window's alone, which is left out. `path` names the file in
+/// messages. Throws Error that names the line.
 std::vector<FileSetting> settingsOfJson(const std::string& text, const std::string& path);
 
 /// The same from a file.
@@ -23,4 +23,4 @@ std::vector<FileSetting> readSettingsFile(const std::string& path);
 /// The whole file. Throws Error that names `option`.
 std::string textOfFile(const std::string& path, const std::string& option);
 
-} // namespace timeshade
+}  // namespace timeshade

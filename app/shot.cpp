@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "compare/compared_shot.h"
+#include "core/error.h"
 #include "diagnostic_shot.h"
 #include "frame/frame_renderer.h"
 #include "frame/warm_up.h"
@@ -14,7 +15,6 @@
 #include "measure/view_scale.h"
 #include "progress.h"
 #include "report.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 
 namespace timeshade {
@@ -47,10 +47,11 @@ void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& techni
 }
 
 void sayWritten(const std::filesystem::path& path, double milliseconds, const gl::DeviceInfo& device) {
-    fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), milliseconds, deviceLine(device));
+    fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), milliseconds,
+               deviceLine(device));
 }
 
-} // namespace
+}  // namespace
 
 int runShot(const Options& options) {
     if (!options.compared.empty() && (options.diagnostic != Diagnostic::None || !options.techniqueView.empty()))
@@ -106,12 +107,16 @@ int runPictures(const Options& options) {
     const std::filesystem::path folder(options.output);
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error(fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    if (failure)
+        throw Error(
+            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
     const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
     FrameRenderer renderer;
-    fmt::print("{} through {}\n{} at {} x {}, {} samples per pixel, map {}\n\n", deviceLine(renderer.device()), context->backEnd(),
-               options.technique, options.width, options.height, options.samplesPerPixel, options.mapSize);
-    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "scene", "sample", "build", "lookup", "shade", "total ms", "picture");
+    fmt::print("{} through {}\n{} at {} x {}, {} samples per pixel, map {}\n\n", deviceLine(renderer.device()),
+               context->backEnd(), options.technique, options.width, options.height, options.samplesPerPixel,
+               options.mapSize);
+    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "scene", "sample", "build", "lookup", "shade", "total ms",
+               "picture");
     for (const BuiltInScene& builtIn : showcase()) {
         const std::filesystem::path path = folder / (builtIn.name + ".png");
         requireWritable(path);
@@ -122,7 +127,8 @@ int runPictures(const Options& options) {
         drawWarmUp(renderer, planner, *technique, request, options.view);
         const FramePlan plan = planner.plan(request);
         // The first draw compiles shaders and fills caches; the second is timed.
-        if (technique->renders() == 1 && warmUpCount(*technique) == 0) renderer.draw(plan, *technique, options.view, options.techniqueView);
+        if (technique->renders() == 1 && warmUpCount(*technique) == 0)
+            renderer.draw(plan, *technique, options.view, options.techniqueView);
         renderer.timer().finishFrame();
         drawWithProgress(renderer, plan, *technique, options);
         const auto times = renderer.timer().finishFrame();
@@ -135,4 +141,4 @@ int runPictures(const Options& options) {
     return 0;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "frame/warm_up.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
@@ -13,16 +14,16 @@
 #include "progress.h"
 #include "report.h"
 #include "sample_dump.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 
 namespace timeshade {
 
 namespace {
 
-std::string asJson(const Verification& v, const FrameRenderer& renderer, Technique& technique, const std::string& sceneName,
-                   const Scene& scene, const std::string& backEnd) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::parse(manifest(renderer, technique, sceneName, scene, backEnd, {}));
+std::string asJson(const Verification& v, const FrameRenderer& renderer, Technique& technique,
+                   const std::string& sceneName, const Scene& scene, const std::string& backEnd) {
+    nlohmann::ordered_json json =
+        nlohmann::ordered_json::parse(manifest(renderer, technique, sceneName, scene, backEnd, {}));
     json.erase("milliseconds");
     json.update(asJson(v));
     return json.dump(2) + "\n";
@@ -30,17 +31,19 @@ std::string asJson(const Verification& v, const FrameRenderer& renderer, Techniq
 
 std::string asText(const Verification& v, const std::string& scene, const std::string& technique) {
     std::string text = fmt::format("{} with {}\n", scene, technique);
-    text += fmt::format("  tested        {:>10} of {} camera samples, {} truly in shadow\n", v.tested, v.samples, v.shadowed);
-    text += fmt::format("  disagree      {:>10} ({:.1f} ppm): {} false shadow, {} false lit, {} of them marginal\n", v.disagree(), v.ppm(),
-                        v.falseShadow, v.falseLit, v.marginal);
+    text += fmt::format("  tested        {:>10} of {} camera samples, {} truly in shadow\n", v.tested, v.samples,
+                        v.shadowed);
+    text += fmt::format("  disagree      {:>10} ({:.1f} ppm): {} false shadow, {} false lit, {} of them marginal\n",
+                        v.disagree(), v.ppm(), v.falseShadow, v.falseLit, v.marginal);
     text += fmt::format("  |lit - truth| {:>10.6f} in the mean\n", v.meanAbsoluteError);
-    text += fmt::format("  primaries     {:>10} see another triangle ({:.1f} ppm), and {} within 1e-6 of an edge\n", v.primaryDisagree,
-                        v.primaryPpm(), v.primaryMarginal);
-    text += fmt::format("  ruled         {:>10} in double precision, {} against Embree\n", v.ruled, v.overruled);
+    text += fmt::format("  primaries     {:>10} see another triangle ({:.1f} ppm), and {} within 1e-6 of an edge\n",
+                        v.primaryDisagree, v.primaryPpm(), v.primaryMarginal);
+    text +=
+        fmt::format("  ruled         {:>10} in double precision, {} against Embree\n", v.resolvedExactly, v.corrected);
     return text;
 }
 
-} // namespace
+}  // namespace
 
 int runVerify(const Options& options) {
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
@@ -78,10 +81,11 @@ int runVerify(const Options& options) {
         fmt::print("{}", asText(verification, options.scene, options.technique));
     if (!options.json.empty() && options.json != "-") writeFileAtomically(options.json, json);
     if (options.maxPpm && verification.ppm() > *options.maxPpm) {
-        fmt::print(stderr, "timeshade: {} ppm disagree; at most {:g} were allowed\n", verification.ppm(), *options.maxPpm);
+        fmt::print(stderr, "timeshade: {} ppm disagree; at most {:g} were allowed\n", verification.ppm(),
+                   *options.maxPpm);
         return 3;
     }
     return 0;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -7,4 +7,4 @@ namespace timeshade {
 /// `timeshade verify`: agreement of a technique with the oracle. Returns 0, or 3 where --max-ppm is exceeded.
 int runVerify(const Options& options);
 
-} // namespace timeshade
+}  // namespace timeshade

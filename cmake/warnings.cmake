@@ -8,8 +8,13 @@ target_compile_options(timeshade_options INTERFACE
   -ffp-contract=off)
 target_compile_definitions(timeshade_options INTERFACE
   GLM_FORCE_SILENT_WARNINGS GLM_FORCE_XYZW_ONLY
-  TIMESHADE_SOURCE_DIRECTORY="${PROJECT_SOURCE_DIR}" TIMESHADE_VERSION="${PROJECT_VERSION}")
-target_include_directories(timeshade_options INTERFACE ${PROJECT_SOURCE_DIR}/renderer ${PROJECT_SOURCE_DIR}/shaders)
+  TIMESHADE_VERSION="${PROJECT_VERSION}")
+# <timeshade/paths.h> says where the sources lie. A header of its own and no flag for all, so that checkouts in several
+# folders share what ccache has compiled.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/timeshade/paths.h
+     CONTENT "#pragma once\n#define TIMESHADE_SOURCE_DIRECTORY \"@PROJECT_SOURCE_DIR@\"\n" @ONLY)
+target_include_directories(timeshade_options INTERFACE ${PROJECT_SOURCE_DIR}/renderer ${PROJECT_SOURCE_DIR}/shaders
+  ${PROJECT_BINARY_DIR}/generated)
 if(TIMESHADE_SANITIZE)
   # A division of floats by zero and a float too large for an integer are no part of `undefined`, but never meant here.
   target_compile_options(timeshade_options INTERFACE -fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow

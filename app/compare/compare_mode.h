@@ -9,4 +9,4 @@ enum class CompareMode {
     Difference,  ///< how far apart they are, four times as bright
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -8,7 +8,8 @@
 
 namespace timeshade {
 
-ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request, const Options& options, const Scene& scene, const std::string& backEnd) {
+ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,
+                          const Options& options, const Scene& scene, const std::string& backEnd) {
     const std::vector<ComparedTechnique> techniques = techniquesFor(options, renderer.programs());
     ComparedShot shot;
     std::vector<DisplayImage> pictures;
@@ -19,11 +20,12 @@ ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const 
         const auto times = renderer.timer().finishFrame();
         shot.milliseconds += gl::totalOf(times);
         pictures.push_back(renderer.readPicture());
-        manifests["compare"].push_back(nlohmann::ordered_json::parse(manifest(renderer, *compared.technique, options.scene, scene, backEnd, times)));
+        manifests["compare"].push_back(nlohmann::ordered_json::parse(
+            manifest(renderer, *compared.technique, options.scene, scene, backEnd, times)));
     }
     shot.picture = composedFor(options, options.seam, labelsOf(techniques), pictures, PictureText());
     shot.manifests = manifests.dump(2) + "\n";
     return shot;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -11,11 +11,12 @@ namespace timeshade {
 
 struct ComparedShot {
     DisplayImage picture;
-    std::string manifests;     ///< JSON: an object {"compare": [of the first, of the second]}
-    double milliseconds = 0.0; ///< of both
+    std::string manifests;      ///< JSON: an object {"compare": [of the first, of the second]}
+    double milliseconds = 0.0;  ///< of both
 };
 
 /// The picture that --compare asks for, of one frame.
-ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request, const Options& options, const Scene& scene, const std::string& backEnd);
+ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,
+                          const Options& options, const Scene& scene, const std::string& backEnd);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -8,7 +8,7 @@
 
 namespace timeshade {
 
-std::string effortLabel(const std::string& variant, Technique& technique, int samplesPerPixel) {
+std::string sampleCountLabel(const std::string& variant, Technique& technique, int samplesPerPixel) {
     if (technique.renders() > 1) return fmt::format("{}, {} renders", variant, technique.renders());
     return fmt::format("{}, {} spp", variant, samplesPerPixel);
 }
@@ -23,14 +23,14 @@ std::vector<ComparedTechnique> techniquesFor(const Options& options, gl::Program
     std::vector<ComparedTechnique> techniques;
     for (const std::string& variant : options.compared) {
         techniques.push_back({TechniqueVariant::of(variant).make(options.settings, programs), ""});
-        techniques.back().label = effortLabel(variant, *techniques.back().technique, options.samplesPerPixel);
+        techniques.back().label = sampleCountLabel(variant, *techniques.back().technique, options.samplesPerPixel);
     }
     if (techniques.empty()) techniques.push_back({techniqueFor(options, programs), ""});
     return techniques;
 }
 
-DisplayImage composedFor(const Options& options, double seam, const std::vector<std::string>& labels, const std::vector<DisplayImage>& pictures,
-                         const PictureText& text) {
+DisplayImage composedFor(const Options& options, double seam, const std::vector<std::string>& labels,
+                         const std::vector<DisplayImage>& pictures, const PictureText& text) {
     if (pictures.size() == 1) return pictures.front();
     const int width = pictures.front().width;
     DisplayImage picture = composed(pictures[0], pictures[1], options.compareMode, seam);
@@ -44,4 +44,4 @@ DisplayImage composedFor(const Options& options, double seam, const std::vector<
     return picture;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -6,7 +6,7 @@
 
 #include "compare/picture_text.h"
 #include "options.h"
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
@@ -20,13 +20,13 @@ struct ComparedTechnique {
 std::vector<ComparedTechnique> techniquesFor(const Options& options, gl::ProgramCache& programs);
 
 /// What a viewer should know of a technique: "tsm:bias=2, 8 spp", or its renders where those are its effort.
-std::string effortLabel(const std::string& variant, Technique& technique, int samplesPerPixel);
+std::string sampleCountLabel(const std::string& variant, Technique& technique, int samplesPerPixel);
 
 /// Their pictures as the one that the options ask for, labelled. One picture alone stays as it is.
-DisplayImage composedFor(const Options& options, double seam, const std::vector<std::string>& labels, const std::vector<DisplayImage>& pictures,
-                         const PictureText& text);
+DisplayImage composedFor(const Options& options, double seam, const std::vector<std::string>& labels,
+                         const std::vector<DisplayImage>& pictures, const PictureText& text);
 
 /// The techniques' labels.
 std::vector<std::string> labelsOf(const std::vector<ComparedTechnique>& techniques);
 
-} // namespace timeshade
+}  // namespace timeshade

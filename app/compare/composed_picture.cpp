@@ -25,14 +25,16 @@ void drawSeam(DisplayImage& picture, int column) {
     for (int x = column - 1; x <= column + 1; ++x) {
         if (x < 0 || x >= picture.width) continue;
         const std::uint8_t level = x == column ? 245 : 30;
-        for (int y = 0; y < picture.height; ++y) std::fill_n(picture.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * picture.width + x), 3, level);
+        for (int y = 0; y < picture.height; ++y)
+            std::fill_n(picture.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * picture.width + x), 3, level);
     }
 }
 
 DisplayImage difference(const DisplayImage& first, const DisplayImage& second) {
     DisplayImage result = first;
     for (std::size_t i = 0; i < result.rgb.size(); ++i)
-        result.rgb[i] = static_cast<std::uint8_t>(std::min(255, amplification * std::abs(int(first.rgb[i]) - int(second.rgb[i]))));
+        result.rgb[i] =
+            static_cast<std::uint8_t>(std::min(255, amplification * std::abs(int(first.rgb[i]) - int(second.rgb[i]))));
     return result;
 }
 
@@ -53,7 +55,7 @@ Image joined(const Image& first, const Image& second, CompareMode mode, double s
     return result;
 }
 
-} // namespace
+}  // namespace
 
 int seamColumn(int width, double seam) { return static_cast<int>(std::lround(std::clamp(seam, 0.0, 1.0) * width)); }
 
@@ -72,4 +74,4 @@ LinearImage composed(const LinearImage& first, const LinearImage& second, Compar
     return result;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -16,8 +16,11 @@ double letterSize(const DisplayImage& picture) { return std::max(11.0, picture.h
 
 void blend(DisplayImage& picture, int x, int y, double level, double opacity) {
     if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
-    std::uint8_t* pixel = picture.rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
-    for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>(std::lround(pixel[c] + opacity * (level - pixel[c])));
+    std::uint8_t* pixel =
+        picture.rgb.data() +
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+    for (int c = 0; c < 3; ++c)
+        pixel[c] = static_cast<std::uint8_t>(std::lround(pixel[c] + opacity * (level - pixel[c])));
 }
 
 void darken(DisplayImage& picture, int left, int top, int right, int bottom) {
@@ -28,15 +31,17 @@ void darken(DisplayImage& picture, int left, int top, int right, int bottom) {
 void write(DisplayImage& picture, const CoverageMask& mask, double level) {
     for (int y = 0; y < mask.height; ++y)
         for (int x = 0; x < mask.width; ++x)
-            blend(picture, mask.left + x, mask.top + y, level, mask.coverage[static_cast<std::size_t>(y * mask.width + x)] / 255.0);
+            blend(picture, mask.left + x, mask.top + y, level,
+                  mask.coverage[static_cast<std::size_t>(y * mask.width + x)] / 255.0);
 }
 
-} // namespace
+}  // namespace
 
 void PictureText::drawLabel(DisplayImage& picture, const std::string& text, int left, int right, Side side) const {
     const double size = letterSize(picture), margin = 0.5 * size;
     const double room = right - left - 4.0 * margin;
-    // Where a seam leaves less room, the name alone, or nothing: half a word that changes from frame to frame says less.
+    // Where a seam leaves less room, the name alone, or nothing: half a word that changes from frame to frame says
+    // less.
     std::string shown = text;
     if (fonts_.bold.width(shown, size) > room) shown = text.substr(0, text.find(','));
     if (room > leastLabel * size) shown = fonts_.bold.shorten(shown, size, room);
@@ -51,13 +56,17 @@ void PictureText::drawLabel(DisplayImage& picture, const std::string& text, int 
 void PictureText::drawCaption(DisplayImage& picture, const std::string& title, const std::string& text) const {
     if (title.empty() && text.empty()) return;
     const double size = letterSize(picture), margin = size, line = 1.35 * size;
-    const std::vector<std::string> lines = text.empty() ? std::vector<std::string>{} : fonts_.regular.wrap(text, size, picture.width - 2.0 * margin);
+    const std::vector<std::string> lines =
+        text.empty() ? std::vector<std::string>{} : fonts_.regular.wrap(text, size, picture.width - 2.0 * margin);
     const double titleHeight = title.empty() ? 0.0 : 1.45 * size;
     const double top = picture.height - titleHeight - line * static_cast<double>(lines.size()) - 0.9 * size;
     darken(picture, 0, static_cast<int>(std::lround(top)), picture.width, picture.height);
     double y = top + 0.45 * size;
     if (!title.empty()) {
-        write(picture, fonts_.bold.render(fonts_.bold.shorten(title, 1.1 * size, picture.width - 2.0 * margin), 1.1 * size, margin, y + size), 250.0);
+        write(picture,
+              fonts_.bold.render(fonts_.bold.shorten(title, 1.1 * size, picture.width - 2.0 * margin), 1.1 * size,
+                                 margin, y + size),
+              250.0);
         y += titleHeight;
     }
     for (const std::string& words : lines) {
@@ -66,4 +75,4 @@ void PictureText::drawCaption(DisplayImage& picture, const std::string& title, c
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "chart/chart_font.h"
 #include "image/image_file.h"
-#include "measure/chart_font.h"
 
 namespace timeshade {
 
@@ -12,7 +12,8 @@ class PictureText {
   public:
     enum class Side { Left, Right };
 
-    /// A line in an upper corner of the columns [left, right); there, only what stands before its comma, or nothing, where it has no room.
+    /// A line in an upper corner of the columns [left, right); there, only what stands before its comma, or nothing,
+    /// where it has no room.
     void drawLabel(DisplayImage& picture, const std::string& text, int left, int right, Side side) const;
     /// A bold title and a text of several lines along the lower edge.
     void drawCaption(DisplayImage& picture, const std::string& title, const std::string& text) const;
@@ -21,4 +22,4 @@ class PictureText {
     ChartFonts fonts_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

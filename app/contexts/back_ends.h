@@ -22,4 +22,4 @@ void loadOpenGl(GLADloadfunc loader, std::string_view backEnd);
 /// Uses nothing but the loader, never throws.
 std::string describeTooOld(GLADloadfunc loader, std::string_view backEnd);
 
-} // namespace timeshade
+}  // namespace timeshade

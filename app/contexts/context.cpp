@@ -1,5 +1,5 @@
 #include "contexts/back_ends.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ std::unique_ptr<GlContext> makeAnyContext(const ContextOptions& options) {
     }
 }
 
-} // namespace
+}  // namespace
 
 std::unique_ptr<GlContext> makeHeadlessContext(const ContextOptions& options) {
     switch (options.kind) {
@@ -36,4 +36,4 @@ std::unique_ptr<GlContext> makeHeadlessContext(const ContextOptions& options) {
     throw std::logic_error("makeHeadlessContext makes no windows: see contexts/window_context.h");
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,5 +1,5 @@
 #include "contexts/back_ends.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 #define EGL_NO_X11  // headless code must not need X11's headers
 #include <EGL/egl.h>
@@ -94,8 +94,8 @@ EGLConfig contextConfig(EGLDisplay display) {
     if (hasExtension(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_no_config_context")) {
         return EGL_NO_CONFIG_KHR;
     }
-    const std::array<EGLint, 5> wanted = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                          EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE};
+    const std::array<EGLint, 5> wanted = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE,
+                                          EGL_NONE};
     EGLConfig config = EGL_NO_CONFIG_KHR;
     EGLint count = 0;
     eglChooseConfig(display, wanted.data(), &config, 1, &count);
@@ -137,10 +137,14 @@ class EglContext final : public GlContext {
     }
 
     EGLContext createContext(EGLConfig config, bool debug) const {
-        const std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION, 4,
-                                                  EGL_CONTEXT_MINOR_VERSION, 5,
-                                                  EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                                  EGL_CONTEXT_OPENGL_DEBUG, debug ? EGL_TRUE : EGL_FALSE,
+        const std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                                  4,
+                                                  EGL_CONTEXT_MINOR_VERSION,
+                                                  5,
+                                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                  EGL_CONTEXT_OPENGL_DEBUG,
+                                                  debug ? EGL_TRUE : EGL_FALSE,
                                                   EGL_NONE};
         return eglCreateContext(place_.display, config, EGL_NO_CONTEXT, attributes.data());
     }
@@ -181,9 +185,7 @@ class EglContext final : public GlContext {
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-std::string currentRenderer() {
-    return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-}
+std::string currentRenderer() { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
 
 bool isSoftwareRenderer(std::string_view renderer) {
     const auto names = {"llvmpipe", "softpipe", "swrast", "SWR"};
@@ -250,7 +252,7 @@ std::unique_ptr<GlContext> makeFirstDeviceContext(const std::vector<EGLDeviceEXT
     return nullptr;
 }
 
-} // namespace
+}  // namespace
 
 std::unique_ptr<GlContext> makeEglContext(const ContextOptions& options) {
     if (options.device >= 0) {
@@ -284,4 +286,4 @@ std::vector<DeviceDescription> listDevices() {
     return descriptions;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

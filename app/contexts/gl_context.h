@@ -38,4 +38,4 @@ struct DeviceDescription {
 /// The EGL devices of this machine; empty where EGL or its device extensions are missing.
 std::vector<DeviceDescription> listDevices();
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,5 +1,5 @@
 #include "contexts/back_ends.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ std::string glString(PFNGLGETSTRINGPROC getString, GLenum name) {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
 }
 
-} // namespace
+}  // namespace
 
 std::string describeTooOld(GLADloadfunc loader, std::string_view backEnd) {
     const auto getString = reinterpret_cast<PFNGLGETSTRINGPROC>(loader("glGetString"));
@@ -30,4 +30,4 @@ void loadOpenGl(GLADloadfunc loader, std::string_view backEnd) {
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

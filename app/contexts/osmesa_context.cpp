@@ -1,5 +1,5 @@
 #include "contexts/back_ends.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -67,9 +67,17 @@ const OsMesaLibrary& osMesa() {
 class OsMesaContext final : public GlContext {
   public:
     OsMesaContext() {
-        const std::array<int, 11> attributes = {osMesaFormat, GL_RGBA, osMesaDepthBits, 24,
-                                                osMesaProfile, osMesaCoreProfile,
-                                                osMesaMajorVersion, 4, osMesaMinorVersion, 5, 0};
+        const std::array<int, 11> attributes = {osMesaFormat,
+                                                GL_RGBA,
+                                                osMesaDepthBits,
+                                                24,
+                                                osMesaProfile,
+                                                osMesaCoreProfile,
+                                                osMesaMajorVersion,
+                                                4,
+                                                osMesaMinorVersion,
+                                                5,
+                                                0};
         context_ = osMesa().createContextAttribs(attributes.data(), nullptr);
         if (context_ == nullptr) {
             throw Error(whyRefused());
@@ -124,7 +132,7 @@ class OsMesaContext final : public GlContext {
     OsMesaHandle context_ = nullptr;
 };
 
-} // namespace
+}  // namespace
 
 std::unique_ptr<GlContext> makeOsMesaContext(const ContextOptions& options) {
     if (options.device >= 0) {
@@ -136,4 +144,4 @@ std::unique_ptr<GlContext> makeOsMesaContext(const ContextOptions& options) {
     return std::make_unique<OsMesaContext>();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,7 +1,7 @@
 #include "contexts/window_context.h"
 
 #include "contexts/back_ends.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 #define GLFW_INCLUDE_NONE  // glad declares OpenGL
 #include <GLFW/glfw3.h>
@@ -52,15 +52,16 @@ std::string whyRefused() {
     return text;
 }
 
-} // namespace
+}  // namespace
 
 WindowContext::WindowContext(const WindowOptions& options) {
     takeReason();
     glfwSetErrorCallback(recordReport);
     if (glfwInit() != GLFW_TRUE) {
-        throw Error(fmt::format("no window can be opened: {}; expected a display (DISPLAY or WAYLAND_DISPLAY). "
-                                "Headless work: timeshade shot",
-                                takeReason()));
+        throw Error(
+            fmt::format("no window can be opened: {}; expected a display (DISPLAY or WAYLAND_DISPLAY). "
+                        "Headless work: timeshade shot",
+                        takeReason()));
     }
     try {
         setHints(options);
@@ -81,4 +82,4 @@ WindowContext::~WindowContext() {
     glfwTerminate();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -32,4 +32,4 @@ class WindowContext final : public GlContext {
     GLFWwindow* window_ = nullptr;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

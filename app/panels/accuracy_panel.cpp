@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "panels/panels.h"
 #include "panels/theme.h"
-#include "scene/error.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -23,7 +23,8 @@ std::string progressOf(const Accuracy& accuracy) {
         if (const ReferenceBuilder* reference = accuracy.probe().reference())
             return fmt::format("making the reference: {} of {}", reference->batchesDone(), reference->batches());
         return "making the reference";
-    case Accuracy::State::Measuring: return accuracy.trying().empty() ? "measuring ..." : fmt::format("trying {} ...", accuracy.trying());
+    case Accuracy::State::Measuring:
+        return accuracy.trying().empty() ? "measuring ..." : fmt::format("trying {} ...", accuracy.trying());
     case Accuracy::State::Failed: return "can't be measured: " + accuracy.failure();
     case Accuracy::State::Idle: break;
     }
@@ -49,8 +50,10 @@ void drawChartOf(Session& session, Widgets& widgets) {
     ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(chart.picture()->name())), {width, height});
     widgets.dump().lastItem("accuracy.chart", accuracy.trail().size());
     if (const auto place = chart.currentPlace()) {
-        const ImVec2 centre{corner.x + static_cast<float>(place->x) / pixels, corner.y + static_cast<float>(place->y) / pixels};
-        ImGui::GetWindowDrawList()->AddCircle(centre, 8.0f * widgets.scale(), IM_COL32(20, 20, 24, 255), 0, 1.6f * widgets.scale());
+        const ImVec2 centre{corner.x + static_cast<float>(place->x) / pixels,
+                            corner.y + static_cast<float>(place->y) / pixels};
+        ImGui::GetWindowDrawList()->AddCircle(centre, 8.0f * widgets.scale(), IM_COL32(20, 20, 24, 255), 0,
+                                              1.6f * widgets.scale());
     }
 }
 
@@ -64,8 +67,10 @@ std::string drawOther(Session& session, Widgets& widgets) {
     if (names.empty()) return "";
     auto chosen = std::find(names.begin(), names.end(), session.accuracyOther);
     if (chosen == names.end()) chosen = names.begin();
-    const auto picked = widgets.combo("accuracy.other", "Against", names, static_cast<std::size_t>(chosen - names.begin()),
-                                      "The technique that the two buttons choose, with as many samples a pixel (or renders) as make it as slow, or as wrong, as the current one.");
+    const auto picked =
+        widgets.combo("accuracy.other", "Against", names, static_cast<std::size_t>(chosen - names.begin()),
+                      "The technique that the two buttons choose, with as many samples a pixel (or renders) as make it "
+                      "as slow, or as wrong, as the current one.");
     session.accuracyOther = picked ? names[*picked] : *chosen;
     return session.accuracyOther;
 }
@@ -86,7 +91,7 @@ void drawButtons(Session& session, Widgets& widgets, const std::string& other) {
     }
 }
 
-} // namespace
+}  // namespace
 
 void drawAccuracyPanel(Session& session, Widgets& widgets) {
     static constexpr const char* states[] = {"waiting", "reference", "measuring", "idle", "failed"};
@@ -97,13 +102,18 @@ void drawAccuracyPanel(Session& session, Widgets& widgets) {
     widgets.figure("accuracy.rmse", "error (RMSE)", current != nullptr ? fmt::format("{:.4g}", current->rmse) : "-");
     widgets.figure("accuracy.ms", "frame", current != nullptr ? fmt::format("{:.4g} ms", current->milliseconds) : "-");
     const std::string progress = progressOf(accuracy);
-    const std::string measured = fmt::format("at {} × {}, against {} samples a pixel", accuracy.probe().width(), accuracy.probe().height(), AccuracyProbe::referenceSamples);
-    widgets.paragraph(progress.empty() ? measured : progress, accuracy.state() == Accuracy::State::Failed ? theme::bad : progress.empty() ? theme::quiet : theme::warning);
+    const std::string measured = fmt::format("at {} × {}, against {} samples a pixel", accuracy.probe().width(),
+                                             accuracy.probe().height(), AccuracyProbe::referenceSamples);
+    widgets.paragraph(progress.empty() ? measured : progress, accuracy.state() == Accuracy::State::Failed ? theme::bad
+                                                              : progress.empty()                          ? theme::quiet
+                                                                                 : theme::warning);
     widgets.dump().lastItem("accuracy.progress", progress);
     drawChartOf(session, widgets);
     drawButtons(session, widgets, drawOther(session, widgets));
     if (!accuracy.said().empty()) widgets.paragraph(accuracy.said(), theme::text);
-    widgets.dump().state("accuracy", {{"state", states[static_cast<int>(accuracy.state())]}, {"points", accuracy.trail().size()}, {"said", accuracy.said()}});
+    widgets.dump().state("accuracy", {{"state", states[static_cast<int>(accuracy.state())]},
+                                      {"points", accuracy.trail().size()},
+                                      {"said", accuracy.said()}});
 }
 
-} // namespace timeshade
+}  // namespace timeshade

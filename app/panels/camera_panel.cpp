@@ -18,7 +18,8 @@ void drawCameraPanel(Session& session, Widgets& widgets) {
     const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     if (widgets.button("camera.save", "Keep this view", half)) {
         const std::string name = fmt::format("View {}", session.savedViews.size() + 1);
-        session.savedViews.push_back({name, session.camera ? *session.camera : OrbitCamera(session.currentPose(), session.scene->bounds())});
+        session.savedViews.push_back(
+            {name, session.camera ? *session.camera : OrbitCamera(session.currentPose(), session.scene->bounds())});
     }
     ImGui::SameLine();
     if (widgets.button("camera.reset", "Reset (R)", half)) session.useSceneCamera(session.request.cameraIndex);
@@ -31,11 +32,12 @@ void drawCameraPanel(Session& session, Widgets& widgets) {
         const float width = ImGui::GetContentRegionAvail().x - cross - ImGui::GetStyle().ItemSpacing.x;
         if (widgets.button(fmt::format("camera.view.{}", i + 1), saved.name, width)) session.camera = saved.camera;
         ImGui::SameLine();
-        if (widgets.iconButton(fmt::format("camera.drop.{}", i + 1), Icon::Close, "forget this view", cross)) dropped = i;
+        if (widgets.iconButton(fmt::format("camera.drop.{}", i + 1), Icon::Close, "forget this view", cross))
+            dropped = i;
         ImGui::PopID();
     }
     if (dropped) session.savedViews.erase(session.savedViews.begin() + static_cast<std::ptrdiff_t>(*dropped));
     widgets.paragraph("In the picture: drag to orbit, right-drag to pan, wheel to zoom.", theme::quiet);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -10,23 +10,29 @@ namespace timeshade {
 
 namespace {
 
-ImTextureID idOf(const gl::Texture& texture) { return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.name())); }
+ImTextureID idOf(const gl::Texture& texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.name()));
+}
 
 /// The shares [from, to) of a picture's width at [left, right) of the area's. OpenGL's rows go upwards.
 void drawPart(const gl::Texture& texture, const Area& area, float left, float right, float from, float to) {
     const auto x = [&](float share) { return area.position.x + std::round(share * area.size.x); };
-    ImGui::GetBackgroundDrawList()->AddImage(idOf(texture), {x(left), area.position.y}, {x(right), area.position.y + area.size.y}, {from, 1.0f}, {to, 0.0f});
+    ImGui::GetBackgroundDrawList()->AddImage(idOf(texture), {x(left), area.position.y},
+                                             {x(right), area.position.y + area.size.y}, {from, 1.0f}, {to, 0.0f});
 }
 
 void drawSeam(const Area& area, float share) {
     const float x = area.position.x + std::round(share * area.size.x);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled({x - 2.0f, area.position.y}, {x + 2.0f, area.position.y + area.size.y}, IM_COL32(20, 20, 24, 255));
-    list.AddRectFilled({x - 1.0f, area.position.y}, {x + 1.0f, area.position.y + area.size.y}, IM_COL32(245, 245, 245, 255));
+    list.AddRectFilled({x - 2.0f, area.position.y}, {x + 2.0f, area.position.y + area.size.y},
+                       IM_COL32(20, 20, 24, 255));
+    list.AddRectFilled({x - 1.0f, area.position.y}, {x + 1.0f, area.position.y + area.size.y},
+                       IM_COL32(245, 245, 245, 255));
 }
 
 /// A label at the upper edge of [left, right], cut off where there is no room.
-void drawLabel(const std::string& text, float left, float right, float top, bool atRight, Widgets& widgets, const std::string& id) {
+void drawLabel(const std::string& text, float left, float right, float top, bool atRight, Widgets& widgets,
+               const std::string& id) {
     const float pad = 7.0f * widgets.scale();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float width = std::min(size.x + 2.0f * pad, right - left - 2.0f * pad);
@@ -41,7 +47,7 @@ void drawLabel(const std::string& text, float left, float right, float top, bool
     widgets.dump().state("compare." + id, text);
 }
 
-} // namespace
+}  // namespace
 
 void drawComparison(Session& session, Widgets& widgets, const Area& area) {
     Comparison& comparison = session.comparison;
@@ -52,16 +58,20 @@ void drawComparison(Session& session, Widgets& widgets, const Area& area) {
     const std::string ofFirst = comparison.label(session, false), ofSecond = comparison.label(session, true);
     if (comparison.flip || comparison.flipped) {
         drawPart(comparison.flipped ? *second : *first, area, 0.0f, 1.0f, 0.0f, 1.0f);
-        drawLabel(comparison.flipped ? ofSecond : ofFirst, left, right, top, comparison.flipped, widgets, comparison.flipped ? "second" : "first");
+        drawLabel(comparison.flipped ? ofSecond : ofFirst, left, right, top, comparison.flipped, widgets,
+                  comparison.flipped ? "second" : "first");
     } else if (comparison.mode == CompareMode::Difference) {
         // Its rows go downwards.
         if (const gl::Texture* difference = comparison.difference())
-            ImGui::GetBackgroundDrawList()->AddImage(idOf(*difference), area.position, {right, area.position.y + area.size.y});
+            ImGui::GetBackgroundDrawList()->AddImage(idOf(*difference), area.position,
+                                                     {right, area.position.y + area.size.y});
         else
             drawPart(*first, area, 0.0f, 1.0f, 0.0f, 1.0f);
         const float middle = left + 0.5f * area.size.x;
-        drawLabel(comparison.difference() != nullptr ? "4 x |" + ofFirst : ofFirst, left, middle, top, false, widgets, "first");
-        drawLabel(comparison.difference() != nullptr ? "- " + ofSecond + "|" : "waiting for " + ofSecond, middle, right, top, true, widgets, "second");
+        drawLabel(comparison.difference() != nullptr ? "4 x |" + ofFirst : ofFirst, left, middle, top, false, widgets,
+                  "first");
+        drawLabel(comparison.difference() != nullptr ? "- " + ofSecond + "|" : "waiting for " + ofSecond, middle, right,
+                  top, true, widgets, "second");
     } else {
         const bool side = comparison.mode == CompareMode::Side;
         const float seam = side ? 0.5f : static_cast<float>(comparison.seam);
@@ -74,4 +84,4 @@ void drawComparison(Session& session, Widgets& widgets, const Area& area) {
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

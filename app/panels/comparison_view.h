@@ -6,7 +6,8 @@
 
 namespace timeshade {
 
-/// Draws both techniques of a comparison into the picture's place, with seam and labels. Does nothing before the first is there.
+/// Draws both techniques of a comparison into the picture's place, with seam and labels. Does nothing before the first
+/// is there.
 void drawComparison(Session& session, Widgets& widgets, const Area& area);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -10,12 +10,15 @@ namespace timeshade {
 
 namespace {
 
-constexpr ImGuiWindowFlags boxFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags boxFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
 /// A box over the picture; (0.5, 0.5) is its middle. Its text wraps within the picture.
 void beginBox(const char* name, const Area& picture, ImVec2 place, float width, const ImVec4& border) {
-    ImGui::SetNextWindowPos({picture.position.x + place.x * picture.size.x, picture.position.y + place.y * picture.size.y}, ImGuiCond_Always, place);
+    ImGui::SetNextWindowPos(
+        {picture.position.x + place.x * picture.size.x, picture.position.y + place.y * picture.size.y},
+        ImGuiCond_Always, place);
     ImGui::SetNextWindowSizeConstraints({1.0f, 1.0f}, {std::max(1.0f, picture.size.x), std::max(1.0f, picture.size.y)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0f);
@@ -45,7 +48,8 @@ void drawShaderLog(const Session& session, Widgets& widgets, const Area& picture
     beginBox("shaders", picture, {0.5f, 0.12f}, 520.0f * widgets.scale(), theme::bad);
     ImGui::TextColored(theme::bad, "Shaders can't be built: the last good ones stay");
     constexpr std::size_t shown = 6;
-    for (std::size_t i = 0; i < std::min(shown, session.shaderLog.size()); ++i) ImGui::TextUnformatted(session.shaderLog[i].c_str());
+    for (std::size_t i = 0; i < std::min(shown, session.shaderLog.size()); ++i)
+        ImGui::TextUnformatted(session.shaderLog[i].c_str());
     if (session.shaderLog.size() > shown) ImGui::Text("and %zu more", session.shaderLog.size() - shown);
     widgets.dump().lastItem("shaders", session.shaderLog);
     endBox();
@@ -55,7 +59,8 @@ void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
     // A margin above the picture's lower edge.
     Area inside = picture;
     inside.size.y = std::max(1.0f, inside.size.y - 14.0f * widgets.scale());
-    beginBox("notice", inside, {0.5f, 1.0f}, 520.0f * widgets.scale(), session.notice->bad ? theme::bad : theme::accent);
+    beginBox("notice", inside, {0.5f, 1.0f}, 520.0f * widgets.scale(),
+             session.notice->bad ? theme::bad : theme::accent);
     ImGui::TextUnformatted(session.notice->text.c_str());
     widgets.dump().lastItem("notice", session.notice->text);
     endBox();
@@ -96,30 +101,31 @@ void drawPage(Session& session, Widgets& widgets, const Area& picture) {
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 24> keys{{{"space", "play or pause"},
-                                                                      {"left, right", "a frame back or on"},
-                                                                      {", and .", "one instant of the shutter, back or on"},
-                                                                      {"Ctrl-R", "start or stop recording"},
-                                                                      {"1 .. 9", "technique"},
-                                                                      {"I", "about the technique"},
-                                                                      {"V", "next view"},
-                                                                      {"F", "hold: the second technique of a comparison"},
-                                                                      {"X", "exchange the techniques that are compared"},
-                                                                      {"P", "save the picture"},
-                                                                      {"Shift-P", "save it as EXR, in linear light"},
-                                                                      {"M", "magnify the pixel under the mouse, with its samples"},
-                                                                      {"F5", "load all shaders anew"},
-                                                                      {"? or F1", "show or hide this list"},
-                                                                      {"H", "hide or show the panels"},
-                                                                      {"R", "the scene's camera"},
-                                                                      {"drag", "orbit"},
-                                                                      {"right-drag", "pan (or Shift and drag)"},
-                                                                      {"wheel", "zoom"},
-                                                                      {"Ctrl-click", "type into a slider"},
-                                                                      {"Ctrl-C", "copy the command line of this picture"},
-                                                                      {"Ctrl-S", "save settings"},
-                                                                      {"Ctrl-O", "load settings"},
-                                                                      {"Ctrl-Q", "quit"}}};
+    static constexpr std::array<std::array<const char*, 2>, 24> keys{
+        {{"space", "play or pause"},
+         {"left, right", "a frame back or on"},
+         {", and .", "one instant of the shutter, back or on"},
+         {"Ctrl-R", "start or stop recording"},
+         {"1 .. 9", "technique"},
+         {"I", "about the technique"},
+         {"V", "next view"},
+         {"F", "hold: the second technique of a comparison"},
+         {"X", "exchange the techniques that are compared"},
+         {"P", "save the picture"},
+         {"Shift-P", "save it as EXR, in linear light"},
+         {"M", "magnify the pixel under the mouse, with its samples"},
+         {"F5", "load all shaders anew"},
+         {"? or F1", "show or hide this list"},
+         {"H", "hide or show the panels"},
+         {"R", "the scene's camera"},
+         {"drag", "orbit"},
+         {"right-drag", "pan (or Shift and drag)"},
+         {"wheel", "zoom"},
+         {"Ctrl-click", "type into a slider"},
+         {"Ctrl-C", "copy the command line of this picture"},
+         {"Ctrl-S", "save settings"},
+         {"Ctrl-O", "load settings"},
+         {"Ctrl-Q", "quit"}}};
     beginBox("keys", picture, {0.5f, 0.5f}, 600.0f * widgets.scale(), ImGui::GetStyle().Colors[ImGuiCol_Border]);
     if (ImGui::BeginTable("keys", 2)) {
         for (const auto& [key, meaning] : keys) {
@@ -134,7 +140,7 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
     endBox();
 }
 
-} // namespace
+}  // namespace
 
 void drawOverlays(Session& session, Widgets& widgets, const Area& picture) {
     const float least = 60.0f * widgets.scale();
@@ -147,4 +153,4 @@ void drawOverlays(Session& session, Widgets& widgets, const Area& picture) {
     if (session.notice) drawNotice(session, widgets, picture);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

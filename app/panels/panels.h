@@ -30,4 +30,4 @@ void drawTimePanel(Session& session, Widgets& widgets);
 void drawComparePanel(Session& session, Widgets& widgets);
 void drawSettingsPanel(Session& session, Widgets& widgets);
 
-} // namespace timeshade
+}  // namespace timeshade

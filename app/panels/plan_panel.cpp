@@ -14,7 +14,8 @@ void drawPlanPanel(Session& session, Widgets& widgets) {
         return;
     }
     const std::vector<gl::PassTimer::Reading> times = session.driver.times().medians();
-    for (const PlanLine& line : explainedLines(session.renderer.plan(), *session.technique, session.renderer.device())) {
+    for (const PlanLine& line :
+         explainedLines(session.renderer.plan(), *session.technique, session.renderer.device())) {
         if (line.word == "device") continue;
         const bool bad = line.word == "beware" || line.word == "CANNOT";
         std::string word = line.word;
@@ -27,4 +28,4 @@ void drawPlanPanel(Session& session, Widgets& widgets) {
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -16,8 +16,9 @@ void drawMapSize(Session& session, Widgets& widgets) {
     std::vector<std::string> names;
     for (const int size : sizes) names.push_back(fmt::format("{0} × {0}", size));
     const auto current = static_cast<std::size_t>(std::find(sizes.begin(), sizes.end(), mapSize) - sizes.begin());
-    if (const auto chosen = widgets.combo("map", "Light's map", names, current,
-                                          "Texels of the light's map. Finer shadows; memory and time grow with the square."))
+    if (const auto chosen =
+            widgets.combo("map", "Light's map", names, current,
+                          "Texels of the light's map. Finer shadows; memory and time grow with the square."))
         mapSize = sizes[*chosen];
 }
 
@@ -29,10 +30,12 @@ void drawShutter(Session& session, Widgets& widgets) {
     length.most = 16.0;
     length.format = fmt::format("%.2f frames, {:.0f}°", 360.0 * shutter.length);
     length.defaultValue = defaults.shutterLength;
-    length.help = "How long the shutter is open. 1 frame is 360 degrees; film uses half of that. Ctrl-click to type up to 16.";
+    length.help =
+        "How long the shutter is open. 1 frame is 360 degrees; film uses half of that. Ctrl-click to type up to 16.";
     bool changed = widgets.slider("shutter", "Shutter", shutter.length, length);
 
-    const auto position = widgets.combo("shutter.position", "Position", {"start", "centre", "end"}, static_cast<std::size_t>(shutter.position),
+    const auto position = widgets.combo("shutter.position", "Position", {"start", "centre", "end"},
+                                        static_cast<std::size_t>(shutter.position),
                                         "Where the frame's instant lies in the time that the shutter is open.");
     if (position) shutter.position = static_cast<ShutterPosition>(*position);
 
@@ -49,7 +52,7 @@ void drawShutter(Session& session, Widgets& widgets) {
     if (changed || position) session.setShutter(shutter);
 }
 
-} // namespace
+}  // namespace
 
 void drawSamplingPanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.sampling", "Sampling and shutter", true)) return;
@@ -58,7 +61,9 @@ void drawSamplingPanel(Session& session, Widgets& widgets) {
     samples.maximum = maximumSamplesPerPixel;
     samples.format = "%d a pixel";
     samples.defaultValue = 8.0;
-    samples.help = "Camera samples of each pixel, one per stratum of the shutter. Less noise; time in proportion. Brute force draws as many as it has renders.";
+    samples.help =
+        "Camera samples of each pixel, one per stratum of the shutter. Less noise; time in proportion. Brute force "
+        "draws as many as it has renders.";
     widgets.slider("spp", "Samples", session.request.samplesPerPixel, samples);
     drawMapSize(session, widgets);
     drawShutter(session, widgets);
@@ -72,4 +77,4 @@ void drawSamplingPanel(Session& session, Widgets& widgets) {
     if (widgets.slider("seed", "Seed", value, seed)) session.request.seed = static_cast<std::uint32_t>(value);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

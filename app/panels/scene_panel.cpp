@@ -26,11 +26,12 @@ void drawCaseList(Session& session, Widgets& widgets) {
 void drawClipList(Session& session, Widgets& widgets) {
     const std::vector<std::string>& clips = session.scene->clips();
     if (clips.size() < 2) return;
-    const auto chosen = widgets.combo("scene.clip", "Clip", clips, session.scene->clip(), "Which of the file's animations plays.");
+    const auto chosen =
+        widgets.combo("scene.clip", "Clip", clips, session.scene->clip(), "Which of the file's animations plays.");
     if (chosen && *chosen != session.scene->clip()) session.wishedClip = clips[*chosen];
 }
 
-} // namespace
+}  // namespace
 
 void drawScenePanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.scene", "Scene", true)) return;
@@ -43,16 +44,19 @@ void drawScenePanel(Session& session, Widgets& widgets) {
         if (*chosen != current) session.wishedScene = names[*chosen];
     drawCaseList(session, widgets);
     if (builtIn) widgets.paragraph(builtInScenes()[current].summary, theme::quiet);
-    if (session.recipe != nullptr && drawSettings(*session.recipe, "scene.reset", widgets)) session.wishedRebuild = true;
+    if (session.recipe != nullptr && drawSettings(*session.recipe, "scene.reset", widgets))
+        session.wishedRebuild = true;
 
     const float width = 52.0f * widgets.scale();
-    const bool entered = widgets.field("scene.path", "path of a .gltf or .glb file", session.scenePath, width + ImGui::GetStyle().ItemSpacing.x);
+    const bool entered = widgets.field("scene.path", "path of a .gltf or .glb file", session.scenePath,
+                                       width + ImGui::GetStyle().ItemSpacing.x);
     ImGui::SameLine();
     const bool pressed = widgets.button("scene.open", "Open", width);
     if ((entered || pressed) && !session.scenePath.empty()) session.wishedScene = session.scenePath;
     if (!session.recentScenes.empty()) {
         std::vector<std::string> recent{"opened before"};
-        for (const std::string& path : session.recentScenes) recent.push_back(std::filesystem::path(path).filename().string());
+        for (const std::string& path : session.recentScenes)
+            recent.push_back(std::filesystem::path(path).filename().string());
         if (const auto chosen = widgets.combo("scene.recent", "", recent, 0, ""))
             if (*chosen > 0) session.wishedScene = session.recentScenes[*chosen - 1];
     }
@@ -64,4 +68,4 @@ void drawScenePanel(Session& session, Widgets& widgets) {
     for (const std::string& note : session.scene->notes()) widgets.paragraph("note: " + note, theme::warning);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -6,7 +6,8 @@ namespace {
 
 /// A slider that starts at 0 and has its default near that end needs its ends drawn apart.
 bool spansPowers(const Setting& setting) {
-    return setting.logarithmic || (setting.minimum >= 0.0 && setting.defaultValue > 0.0 && setting.maximum > 20.0 * setting.defaultValue);
+    return setting.logarithmic ||
+           (setting.minimum >= 0.0 && setting.defaultValue > 0.0 && setting.maximum > 20.0 * setting.defaultValue);
 }
 
 bool drawSetting(Setting setting, const std::string& owner, Widgets& widgets) {
@@ -40,7 +41,7 @@ bool drawSetting(Setting setting, const std::string& owner, Widgets& widgets) {
     return changed;
 }
 
-} // namespace
+}  // namespace
 
 bool drawSettings(HasSettings& owner, const std::string& resetId, Widgets& widgets) {
     const std::vector<Setting> settings = settingsOf(owner);
@@ -54,4 +55,4 @@ bool drawSettings(HasSettings& owner, const std::string& resetId, Widgets& widge
     return true;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "core/setting.h"
 #include "panels/widgets.h"
-#include "settings/setting.h"
 
 namespace timeshade {
 
@@ -11,4 +11,4 @@ namespace timeshade {
 /// at its default. The controls are named like the settings on the command line. True when a value has changed.
 bool drawSettings(HasSettings& owner, const std::string& resetId, Widgets& widgets);
 
-} // namespace timeshade
+}  // namespace timeshade

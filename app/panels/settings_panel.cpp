@@ -8,7 +8,8 @@ namespace timeshade {
 
 void drawSettingsPanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.settings", "Settings", true)) return;
-    if (widgets.button("settings.command", "Copy command line (Ctrl-C)", ImGui::GetContentRegionAvail().x)) session.wishedCommand = true;
+    if (widgets.button("settings.command", "Copy command line (Ctrl-C)", ImGui::GetContentRegionAvail().x))
+        session.wishedCommand = true;
     if (!session.lastCommand.empty()) widgets.dump().lastItem("settings.command", session.lastCommand);
     widgets.field("settings.path", "a JSON file", session.settingsPath, 0.0f);
     const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
@@ -18,4 +19,4 @@ void drawSettingsPanel(Session& session, Widgets& widgets) {
     widgets.paragraph("The file is what --settings takes.", theme::quiet);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -18,7 +18,8 @@ void drawHeader(Session& session, Widgets& widgets) {
     if (device.software) {
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const ImVec2 end{corner.x + ImGui::GetContentRegionAvail().x, corner.y + ImGui::GetFrameHeight()};
-        ImGui::GetWindowDrawList()->AddRectFilled(corner, end, ImGui::GetColorU32(ImVec4(0.36f, 0.26f, 0.08f, 1.0f)), 4.0f * widgets.scale());
+        ImGui::GetWindowDrawList()->AddRectFilled(corner, end, ImGui::GetColorU32(ImVec4(0.36f, 0.26f, 0.08f, 1.0f)),
+                                                  4.0f * widgets.scale());
         ImGui::SetCursorScreenPos({corner.x + 8.0f * widgets.scale(), corner.y});
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(theme::warning, "SOFTWARE RENDERER");
@@ -34,10 +35,11 @@ void drawSidePanel(Session& session, Widgets& widgets, const Area& area) {
     if (area.empty()) return;
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
-    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
     // The scroll bar is always there, so that unfolding a section does not shift everything sideways.
-    if (ImGui::Begin("settings", nullptr, (flags & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysVerticalScrollbar)) {
+    if (ImGui::Begin("settings", nullptr,
+                     (flags & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysVerticalScrollbar)) {
         drawHeader(session, widgets);
         drawScenePanel(session, widgets);
         drawTechniquePanel(session, widgets);
@@ -54,4 +56,4 @@ void drawSidePanel(Session& session, Widgets& widgets, const Area& area) {
     ImGui::End();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -9,8 +9,8 @@ namespace timeshade {
 namespace {
 
 /// What it counted in the picture, and what to beware of.
-void drawFigures(Session& session, Widgets& widgets) {
-    for (const TechniqueFigure& figure : session.figures()) {
+void drawStatistics(Session& session, Widgets& widgets) {
+    for (const TechniqueStatistic& figure : session.statistics()) {
         widgets.figure("figure." + figure.name, figure.name, inWords(figure));
         if (figure.warning.empty()) continue;
         widgets.paragraph(figure.warning, theme::warning);
@@ -18,7 +18,7 @@ void drawFigures(Session& session, Widgets& widgets) {
     }
 }
 
-} // namespace
+}  // namespace
 
 void drawTechniquePanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.technique", "Technique", true)) return;
@@ -30,13 +30,15 @@ void drawTechniquePanel(Session& session, Widgets& widgets) {
         if (description.name == now.name) current = titles.size();
         titles.push_back(description.title);
     }
-    if (const auto chosen = widgets.combo("technique", "", titles, current, "")) session.wishedTechnique = all[*chosen].name;
+    if (const auto chosen = widgets.combo("technique", "", titles, current, ""))
+        session.wishedTechnique = all[*chosen].name;
     widgets.paragraph(now.summary, theme::quiet);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", now.source.c_str());
 
-    if (widgets.button("technique.page", "About this technique (I)", ImGui::GetContentRegionAvail().x)) session.pageVisible = !session.pageVisible;
+    if (widgets.button("technique.page", "About this technique (I)", ImGui::GetContentRegionAvail().x))
+        session.pageVisible = !session.pageVisible;
     drawSettings(*session.technique, "technique.reset", widgets);
-    drawFigures(session, widgets);
+    drawStatistics(session, widgets);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

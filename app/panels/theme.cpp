@@ -7,7 +7,9 @@ namespace timeshade {
 namespace {
 
 void setColors(ImGuiStyle& style) {
-    const auto set = [&](ImGuiCol index, float r, float g, float b, float a = 1.0f) { style.Colors[index] = {r, g, b, a}; };
+    const auto set = [&](ImGuiCol index, float r, float g, float b, float a = 1.0f) {
+        style.Colors[index] = {r, g, b, a};
+    };
     style.Colors[ImGuiCol_Text] = theme::text;
     style.Colors[ImGuiCol_TextDisabled] = theme::quiet;
     set(ImGuiCol_WindowBg, 0.098f, 0.106f, 0.122f);
@@ -34,7 +36,7 @@ void setColors(ImGuiStyle& style) {
     set(ImGuiCol_TextSelectedBg, 0.26f, 0.45f, 0.64f, 0.6f);
 }
 
-} // namespace
+}  // namespace
 
 void applyTheme(float scale) {
     ImGuiStyle& style = ImGui::GetStyle();
@@ -62,4 +64,4 @@ void applyTheme(float scale) {
     style.GrabMinSize = std::max(style.GrabMinSize, 1.0f);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -11,12 +11,15 @@ namespace {
 
 void drawInstant(Session& session, Widgets& widgets) {
     bool on = session.instant.has_value();
-    if (widgets.checkbox("instant.on", "One instant", on, false, "Draws the scene, shadows too, at one instant of the shutter instead of all of it."))
+    if (widgets.checkbox("instant.on", "One instant", on, false,
+                         "Draws the scene, shadows too, at one instant of the shutter instead of all of it."))
         session.instant = on ? std::optional<double>(0.5) : std::nullopt;
     if (!session.instant) return;
     Widgets::Number number;
     number.format = "u = %.4f";
-    number.help = "Where in the shutter: 0 where it opens, 1 where it closes. Comma and full stop step by a sixteenth; playing runs through the shutter.";
+    number.help =
+        "Where in the shutter: 0 where it opens, 1 where it closes. Comma and full stop step by a sixteenth; playing "
+        "runs through the shutter.";
     double u = *session.instant;
     if (widgets.slider("instant", "Instant", u, number)) session.instant = std::clamp(u, 0.0, 1.0);
 }
@@ -48,12 +51,13 @@ void drawPart(Session& session, Widgets& widgets) {
 
 void drawRecording(Session& session, Widgets& widgets) {
     Recording& recording = session.recording;
-    const std::string text = recording.on() ? fmt::format("Stop recording ({} frames)", recording.frames()) : "Record (Ctrl-R)";
+    const std::string text =
+        recording.on() ? fmt::format("Stop recording ({} frames)", recording.frames()) : "Record (Ctrl-R)";
     if (widgets.button("record", text, ImGui::GetContentRegionAvail().x)) session.wishedRecording = true;
     widgets.paragraph("Frame by frame from the one that is shown, each drawn whole, as H.264.", theme::quiet);
 }
 
-} // namespace
+}  // namespace
 
 void drawTimePanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.time", "Time and recording", true)) return;
@@ -62,4 +66,4 @@ void drawTimePanel(Session& session, Widgets& widgets) {
     drawRecording(session, widgets);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

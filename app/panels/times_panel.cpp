@@ -10,7 +10,9 @@ namespace timeshade {
 
 namespace {
 
-std::string milliseconds(double value) { return value < 10.0 ? fmt::format("{:.2f} ms", value) : fmt::format("{:.1f} ms", value); }
+std::string milliseconds(double value) {
+    return value < 10.0 ? fmt::format("{:.2f} ms", value) : fmt::format("{:.1f} ms", value);
+}
 
 /// A figure with a bar behind it that shows its share of the total.
 void drawTime(Widgets& widgets, const std::string& id, const std::string& name, double value, double total) {
@@ -19,9 +21,10 @@ void drawTime(Widgets& widgets, const std::string& id, const std::string& name, 
     const float room = std::max(0.0f, ImGui::GetContentRegionAvail().x - left - right);
     const float length = total > 0.0 ? room * static_cast<float>(std::clamp(value / total, 0.0, 1.0)) : 0.0f;
     const float inset = 4.0f * widgets.scale();
-    ImGui::GetWindowDrawList()->AddRectFilled({corner.x + left, corner.y + inset},
-                                              {corner.x + left + length, corner.y + ImGui::GetTextLineHeight() - inset + 1.0f},
-                                              ImGui::GetColorU32(ImVec4(0.30f, 0.45f, 0.60f, 1.0f)), 2.0f * widgets.scale());
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {corner.x + left, corner.y + inset},
+        {corner.x + left + length, corner.y + ImGui::GetTextLineHeight() - inset + 1.0f},
+        ImGui::GetColorU32(ImVec4(0.30f, 0.45f, 0.60f, 1.0f)), 2.0f * widgets.scale());
     widgets.figure(id, name, milliseconds(value));
 }
 
@@ -47,14 +50,18 @@ void drawTimes(Session& session, Widgets& widgets) {
     const double total = times.medianTotal();
     for (const auto& reading : inOrder(times.medians())) {
         // "build/collect" stands below "build", as its part.
-        const std::string name = reading.isPart() ? "   " + reading.name.substr(reading.name.rfind('/') + 1) : reading.name;
+        const std::string name =
+            reading.isPart() ? "   " + reading.name.substr(reading.name.rfind('/') + 1) : reading.name;
         drawTime(widgets, "times." + reading.name, name, reading.milliseconds, total);
     }
     widgets.figure("times.total", "total", milliseconds(total));
     const FrameRequest& drawn = session.renderer.plan().request;
     const char* what = session.renderer.renders() > 1 ? "render" : "frame";
-    const std::string over = times.frames() == 1 ? fmt::format("one {}", what) : fmt::format("median of {} {}s", times.frames(), what);
-    widgets.paragraph(fmt::format("{}, {} × {}{}", over, drawn.width, drawn.height, session.driver.preview() ? " preview" : ""), theme::quiet);
+    const std::string over =
+        times.frames() == 1 ? fmt::format("one {}", what) : fmt::format("median of {} {}s", times.frames(), what);
+    widgets.paragraph(
+        fmt::format("{}, {} × {}{}", over, drawn.width, drawn.height, session.driver.preview() ? " preview" : ""),
+        theme::quiet);
     if (session.renderer.renders() > 1 || session.driver.preview()) return;
     // A paused picture is drawn once, and the first time compiles shaders.
     if (session.driver.measuring())
@@ -77,11 +84,11 @@ void drawMemory(Session& session, Widgets& widgets) {
     widgets.figure("memory.total", "total", inMebibytes(memory.total()));
 }
 
-} // namespace
+}  // namespace
 
 void drawTimesPanel(Session& session, Widgets& widgets) {
     if (widgets.section("section.times", "Time", true)) drawTimes(session, widgets);
     if (widgets.section("section.memory", "GPU memory", true)) drawMemory(session, widgets);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

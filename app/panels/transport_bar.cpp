@@ -18,7 +18,8 @@ void drawTransport(Session& session, Widgets& widgets) {
         return;
     }
     const float side = 24.0f * widgets.scale();
-    if (widgets.iconButton("play", playback.playing() ? Icon::Pause : Icon::Play, playback.playing() ? "pause (space)" : "play (space)", side))
+    if (widgets.iconButton("play", playback.playing() ? Icon::Pause : Icon::Play,
+                           playback.playing() ? "pause (space)" : "play (space)", side))
         playback.play(!playback.playing());
     ImGui::SameLine(0.0f, 2.0f * widgets.scale());
     if (widgets.iconButton("step.back", Icon::StepBack, "a frame back (left)", side)) playback.step(-1);
@@ -29,7 +30,8 @@ void drawTransport(Session& session, Widgets& widgets) {
     // A frame from the command line may lie anywhere; it is shown as it is until it is moved.
     const std::string format = fmt::format("frame {:.6g} of {}", playback.frame(), playback.loopFrames());
     ImGui::SetNextItemWidth(std::max(20.0f * widgets.scale(), ImGui::GetContentRegionAvail().x));
-    if (ImGui::SliderInt("##scrub", &frame, 0, playback.loopFrames() - 1, format.c_str(), ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
+    if (ImGui::SliderInt("##scrub", &frame, 0, playback.loopFrames() - 1, format.c_str(),
+                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
         playback.play(false);
         playback.jump(frame);
         session.technique->forget();
@@ -43,9 +45,12 @@ void drawProgress(Session& session, Widgets& widgets) {
     const bool stopped = session.driver.state() == FrameDriver::State::Cancelled;
     const float width = 90.0f * widgets.scale();
     const float bar = ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x;
-    const std::string text = stopped ? fmt::format("stopped: average of {} of {} renders", done, all) : fmt::format("render {} of {}", done, all);
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, stopped ? ImVec4(0.35f, 0.37f, 0.40f, 1.0f) : ImVec4(0.23f, 0.38f, 0.53f, 1.0f));
-    ImGui::ProgressBar(static_cast<float>(done) / static_cast<float>(std::max(1, all)), {std::max(bar, 20.0f * widgets.scale()), 0.0f}, text.c_str());
+    const std::string text = stopped ? fmt::format("stopped: average of {} of {} renders", done, all)
+                                     : fmt::format("render {} of {}", done, all);
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram,
+                          stopped ? ImVec4(0.35f, 0.37f, 0.40f, 1.0f) : ImVec4(0.23f, 0.38f, 0.53f, 1.0f));
+    ImGui::ProgressBar(static_cast<float>(done) / static_cast<float>(std::max(1, all)),
+                       {std::max(bar, 20.0f * widgets.scale()), 0.0f}, text.c_str());
     ImGui::PopStyleColor();
     widgets.dump().lastItem("progress", text);
     ImGui::SameLine();
@@ -63,18 +68,19 @@ std::string statusOf(const Session& session) {
     const int samples = session.renderer.renders() > 1 ? session.renderer.renders() : drawn.samplesPerPixel;
     const FrameTimes& times = session.driver.times();
     const std::string cost = times.frames() > 0 ? fmt::format(", {:.4g} ms", times.medianTotal()) : "";
-    const std::string size = fmt::format("{} × {}, {} samples a pixel, map {}", drawn.width, drawn.height, samples, drawn.mapSize);
+    const std::string size =
+        fmt::format("{} × {}, {} samples a pixel, map {}", drawn.width, drawn.height, samples, drawn.mapSize);
     return session.driver.preview() ? "moving: " + size + cost : size + cost;
 }
 
-} // namespace
+}  // namespace
 
 void drawTransportBar(Session& session, Widgets& widgets, const Area& area) {
     if (area.empty()) return;
     ImGui::SetNextWindowPos(area.position);
     ImGui::SetNextWindowSize(area.size);
-    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
     if (ImGui::Begin("transport", nullptr, flags)) {
         drawTransport(session, widgets);
         const FrameDriver::State state = session.driver.state();
@@ -83,11 +89,12 @@ void drawTransportBar(Session& session, Widgets& widgets, const Area& area) {
             drawProgress(session, widgets);
         else {
             ImGui::AlignTextToFramePadding();
-            ImGui::TextColored(session.driver.preview() && session.driver.hasPlan() ? theme::warning : theme::quiet, "%s", statusOf(session).c_str());
+            ImGui::TextColored(session.driver.preview() && session.driver.hasPlan() ? theme::warning : theme::quiet,
+                               "%s", statusOf(session).c_str());
             widgets.dump().lastItem("status", statusOf(session));
         }
     }
     ImGui::End();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

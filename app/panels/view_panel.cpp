@@ -21,7 +21,8 @@ void drawScale(const TechniqueView& view, Widgets& widgets) {
     for (int i = 0; i < pieces; ++i) {
         const glm::vec3 color = shared::heatColor((static_cast<float>(i) + 0.5f) / pieces);
         const auto at = [&](int piece) { return corner.x + width * static_cast<float>(piece) / pieces; };
-        list.AddRectFilled({at(i), corner.y}, {at(i + 1), corner.y + height}, ImGui::GetColorU32(ImVec4(color.x, color.y, color.z, 1.0f)));
+        list.AddRectFilled({at(i), corner.y}, {at(i + 1), corner.y + height},
+                           ImGui::GetColorU32(ImVec4(color.x, color.y, color.z, 1.0f)));
     }
     const std::vector<ScaleMark> marks = marksOf(view);
     const auto leftOf = [&](const ScaleMark& mark) {
@@ -34,10 +35,12 @@ void drawScale(const TechniqueView& view, Widgets& widgets) {
         const float left = leftOf(mark), end = left + ImGui::CalcTextSize(mark.text.c_str()).x;
         const bool last = &mark == &marks.back();
         if (!last && (left < free || end + gap > lastLeft)) continue;
-        list.AddText({corner.x + left, corner.y + height + 2.0f * widgets.scale()}, ImGui::GetColorU32(ImGuiCol_Text), mark.text.c_str());
+        list.AddText({corner.x + left, corner.y + height + 2.0f * widgets.scale()}, ImGui::GetColorU32(ImGuiCol_Text),
+                     mark.text.c_str());
         free = end + gap;
     }
-    ImGui::Dummy({width, height + 2.0f * widgets.scale() + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y});
+    ImGui::Dummy(
+        {width, height + 2.0f * widgets.scale() + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y});
     widgets.dump().lastItem("view.scale", view.name);
 }
 
@@ -57,28 +60,34 @@ void drawTechniqueViews(Session& session, Widgets& widgets) {
     drawScale(views[current], widgets);
 }
 
-} // namespace
+}  // namespace
 
 void drawViewPanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.view", "View", true)) return;
     const auto diagnostic = static_cast<std::size_t>(session.diagnostic);
     constexpr std::size_t none = 2;
     const bool ofLight = diagnostic == 0 && session.techniqueView.empty();
-    if (const auto chosen = widgets.choice("view", {"final", "visibility"}, ofLight ? static_cast<std::size_t>(session.view) : none))
+    if (const auto chosen =
+            widgets.choice("view", {"final", "visibility"}, ofLight ? static_cast<std::size_t>(session.view) : none))
         session.showView(*chosen == 0 ? "final" : "visibility");
-    if (const auto chosen = widgets.choice("view", {"error", "disagreement"}, diagnostic == 0 ? none : diagnostic - 1)) {
+    if (const auto chosen =
+            widgets.choice("view", {"error", "disagreement"}, diagnostic == 0 ? none : diagnostic - 1)) {
         session.showView("final");
         session.diagnostic = static_cast<Diagnostic>(*chosen + 1);
     }
     drawTechniqueViews(session, widgets);
     const DiagnosticPicture& compared = session.diagnosticPicture;
     if (session.diagnostic != Diagnostic::None)
-        widgets.paragraph(compared.caption(), compared.failed() ? theme::bad : compared.complete() ? theme::quiet : theme::warning);
-    if (session.view == View::Visibility && session.techniqueView.empty()) widgets.paragraph("The lit share of each pixel's camera samples: white lit, black shadowed.", theme::quiet);
+        widgets.paragraph(compared.caption(), compared.failed()     ? theme::bad
+                                              : compared.complete() ? theme::quiet
+                                                                    : theme::warning);
+    if (session.view == View::Visibility && session.techniqueView.empty())
+        widgets.paragraph("The lit share of each pixel's camera samples: white lit, black shadowed.", theme::quiet);
     const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     if (widgets.button("screenshot", "Save PNG (P)", half)) session.wishedScreenshot = true;
     ImGui::SameLine();
-    if (widgets.button("screenshot.exr", "Save EXR (Shift-P)", half)) session.wishedScreenshot = session.wishedExr = true;
+    if (widgets.button("screenshot.exr", "Save EXR (Shift-P)", half))
+        session.wishedScreenshot = session.wishedExr = true;
     if (!session.lastScreenshot.empty()) {
         widgets.paragraph(session.lastScreenshot, theme::quiet);
         widgets.dump().lastItem("screenshot.path", session.lastScreenshot);
@@ -90,8 +99,9 @@ void drawViewPanel(Session& session, Widgets& widgets) {
         if (step == session.textScale) current = names.size();
         names.push_back(fmt::format("{:.0f} %", 100.0 * step));
     }
-    if (const auto chosen = widgets.combo("text.size", "Text size", names, current, "Of all panels, on top of what the display asks for."))
+    if (const auto chosen = widgets.combo("text.size", "Text size", names, current,
+                                          "Of all panels, on top of what the display asks for."))
         session.textScale = steps[*chosen];
 }
 
-} // namespace timeshade
+}  // namespace timeshade

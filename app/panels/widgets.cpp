@@ -31,7 +31,8 @@ void drawTriangle(ImVec2 centre, float radius, float direction, ImU32 color) {
 
 void drawBar(ImVec2 centre, float offset, float radius, ImU32 color) {
     const float half = 0.22f * radius;
-    ImGui::GetWindowDrawList()->AddRectFilled({centre.x + offset - half, centre.y - radius}, {centre.x + offset + half, centre.y + radius}, color);
+    ImGui::GetWindowDrawList()->AddRectFilled({centre.x + offset - half, centre.y - radius},
+                                              {centre.x + offset + half, centre.y + radius}, color);
 }
 
 void drawIcon(Icon icon, ImVec2 centre, float radius, ImU32 color) {
@@ -54,7 +55,8 @@ void drawIcon(Icon icon, ImVec2 centre, float radius, ImU32 color) {
     case Icon::Reset:
         list.PathArcTo(centre, radius, -0.9f, 4.2f, 20);
         list.PathStroke(color, 0, thickness);
-        list.AddTriangleFilled({centre.x + 0.05f * radius, centre.y - 1.05f * radius}, {centre.x + 1.05f * radius, centre.y - 1.35f * radius},
+        list.AddTriangleFilled({centre.x + 0.05f * radius, centre.y - 1.05f * radius},
+                               {centre.x + 1.05f * radius, centre.y - 1.35f * radius},
                                {centre.x + 1.05f * radius, centre.y - 0.2f * radius}, color);
         return;
     case Icon::Close:
@@ -64,7 +66,7 @@ void drawIcon(Icon icon, ImVec2 centre, float radius, ImU32 color) {
     }
 }
 
-} // namespace
+}  // namespace
 
 std::string titleOfKey(const std::string& key) {
     std::string title;
@@ -72,7 +74,8 @@ std::string titleOfKey(const std::string& key) {
     for (std::string word; std::getline(words, word, '_');) {
         const bool abbreviation = word.find_first_of("aeiouy") == std::string::npos;  // "pcf"
         for (std::size_t i = 0; i < word.size(); ++i)
-            if (abbreviation || (i == 0 && title.empty())) word[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[i])));
+            if (abbreviation || (i == 0 && title.empty()))
+                word[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[i])));
         title += (title.empty() ? "" : " ") + word;
     }
     return title;
@@ -82,7 +85,8 @@ bool Widgets::section(const std::string& id, const char* title, bool open) {
     ImGui::Dummy({0.0f, 1.0f * scale_});
     const auto other = sections_.find(id);
     const bool atFirst = other == sections_.end() ? open : other->second;
-    const bool unfolded = ImGui::CollapsingHeader(title, atFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    const bool unfolded =
+        ImGui::CollapsingHeader(title, atFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
     if (unfolded == open)
         sections_.erase(id);
     else
@@ -121,11 +125,16 @@ bool Widgets::slider(const std::string& id, const std::string& label, double& va
     beginRow(label);
     const double before = value;
     ImGuiSliderFlags flags = number.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    ImGui::SliderScalar(("##" + id).c_str(), ImGuiDataType_Double, &value, &number.minimum, &number.maximum, number.format.c_str(), flags);
-    value = std::isfinite(value) ? std::clamp(value, number.least.value_or(number.minimum), number.most.value_or(number.maximum)) : before;
+    ImGui::SliderScalar(("##" + id).c_str(), ImGuiDataType_Double, &value, &number.minimum, &number.maximum,
+                        number.format.c_str(), flags);
+    value = std::isfinite(value)
+                ? std::clamp(value, number.least.value_or(number.minimum), number.most.value_or(number.maximum))
+                : before;
     dump_.lastItem(id, value);
     help(number.help);
-    if (number.defaultValue && reset(id, std::abs(value - *number.defaultValue) > 1e-6 * std::max(1.0, std::abs(value)))) value = *number.defaultValue;
+    if (number.defaultValue &&
+        reset(id, std::abs(value - *number.defaultValue) > 1e-6 * std::max(1.0, std::abs(value))))
+        value = *number.defaultValue;
     return value != before;
 }
 
@@ -137,11 +146,13 @@ bool Widgets::slider(const std::string& id, const std::string& label, int& value
     value = std::clamp(value, low, high);
     dump_.lastItem(id, value);
     help(number.help);
-    if (number.defaultValue && reset(id, value != static_cast<int>(*number.defaultValue))) value = static_cast<int>(*number.defaultValue);
+    if (number.defaultValue && reset(id, value != static_cast<int>(*number.defaultValue)))
+        value = static_cast<int>(*number.defaultValue);
     return value != before;
 }
 
-bool Widgets::checkbox(const std::string& id, const std::string& label, bool& value, bool defaultValue, const std::string& helpText) {
+bool Widgets::checkbox(const std::string& id, const std::string& label, bool& value, bool defaultValue,
+                       const std::string& helpText) {
     beginRow(label);
     const bool before = value;
     ImGui::Checkbox(("##" + id).c_str(), &value);
@@ -151,8 +162,9 @@ bool Widgets::checkbox(const std::string& id, const std::string& label, bool& va
     return value != before;
 }
 
-std::optional<std::size_t> Widgets::combo(const std::string& id, const std::string& label, const std::vector<std::string>& entries,
-                                          std::size_t current, const std::string& helpText) {
+std::optional<std::size_t> Widgets::combo(const std::string& id, const std::string& label,
+                                          const std::vector<std::string>& entries, std::size_t current,
+                                          const std::string& helpText) {
     std::optional<std::size_t> chosen;
     beginRow(label);
     if (label.empty() && helpText.empty()) ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -172,7 +184,8 @@ std::optional<std::size_t> Widgets::combo(const std::string& id, const std::stri
     return chosen;
 }
 
-std::optional<std::size_t> Widgets::choice(const std::string& id, const std::vector<std::string>& entries, std::size_t current) {
+std::optional<std::size_t> Widgets::choice(const std::string& id, const std::vector<std::string>& entries,
+                                           std::size_t current) {
     std::optional<std::size_t> chosen;
     const float gap = 2.0f * scale_;
     const float count = static_cast<float>(entries.size());
@@ -200,14 +213,16 @@ bool Widgets::iconButton(const std::string& id, Icon icon, const char* tip, floa
     const bool pressed = ImGui::InvisibleButton(id.c_str(), {side, height});
     const bool hovered = ImGui::IsItemHovered();
     dump_.lastItem(id, tip);
-    drawIcon(icon, {corner.x + 0.5f * side, corner.y + 0.5f * height}, 0.28f * side, ImGui::GetColorU32(hovered ? theme::accent : theme::text));
+    drawIcon(icon, {corner.x + 0.5f * side, corner.y + 0.5f * height}, 0.28f * side,
+             ImGui::GetColorU32(hovered ? theme::accent : theme::text));
     if (hovered) tooltip(tip);
     return pressed;
 }
 
 bool Widgets::field(const std::string& id, const char* hint, std::string& text, float reserved) {
     ImGui::SetNextItemWidth(std::max(20.0f * scale_, ImGui::GetContentRegionAvail().x - reserved));
-    const bool entered = ImGui::InputTextWithHint(("##" + id).c_str(), hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered =
+        ImGui::InputTextWithHint(("##" + id).c_str(), hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
     dump_.lastItem(id, text);
     return entered;
 }
@@ -229,4 +244,4 @@ void Widgets::figure(const std::string& id, const std::string& label, const std:
     dump_.lastItem(id, value);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -18,7 +18,8 @@ enum class Icon { Play, Pause, StepBack, StepForward, Reset, Close };
 class Widgets {
   public:
     /// `sections`: those that are not as `open` says, by id; kept up to date.
-    Widgets(UiDump& dump, float scale, std::map<std::string, bool>& sections) : dump_(dump), scale_(scale), sections_(sections) {}
+    Widgets(UiDump& dump, float scale, std::map<std::string, bool>& sections)
+        : dump_(dump), scale_(scale), sections_(sections) {}
 
     float scale() const { return scale_; }
     UiDump& dump() { return dump_; }
@@ -28,7 +29,7 @@ class Widgets {
         std::optional<double> least, most;    ///< what may be typed (Ctrl and a click), where that is more
         std::string format = "%.3g";
         bool logarithmic = false;
-        std::optional<double> defaultValue;   ///< adds a reset
+        std::optional<double> defaultValue;  ///< adds a reset
         std::string help;
     };
 
@@ -36,12 +37,15 @@ class Widgets {
     bool section(const std::string& id, const char* title, bool open);
     bool slider(const std::string& id, const std::string& label, double& value, const Number& number);
     bool slider(const std::string& id, const std::string& label, int& value, const Number& number);
-    bool checkbox(const std::string& id, const std::string& label, bool& value, bool defaultValue, const std::string& help);
+    bool checkbox(const std::string& id, const std::string& label, bool& value, bool defaultValue,
+                  const std::string& help);
     /// The entry that was chosen just now.
-    std::optional<std::size_t> combo(const std::string& id, const std::string& label, const std::vector<std::string>& entries,
-                                     std::size_t current, const std::string& help);
+    std::optional<std::size_t> combo(const std::string& id, const std::string& label,
+                                     const std::vector<std::string>& entries, std::size_t current,
+                                     const std::string& help);
     /// Buttons side by side, one of which is down. The one that was pressed just now.
-    std::optional<std::size_t> choice(const std::string& id, const std::vector<std::string>& entries, std::size_t current);
+    std::optional<std::size_t> choice(const std::string& id, const std::vector<std::string>& entries,
+                                      std::size_t current);
     bool button(const std::string& id, const std::string& text, float width = 0.0f);
     bool iconButton(const std::string& id, Icon icon, const char* tooltip, float side);
     /// Text typed into a field that fills the row up to `reserved`. True when Enter is pressed.
@@ -64,4 +68,4 @@ class Widgets {
 /// "dynamic_bias" as "Dynamic bias".
 std::string titleOfKey(const std::string& key);
 
-} // namespace timeshade
+}  // namespace timeshade

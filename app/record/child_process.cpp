@@ -14,9 +14,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/error.h"
+#include "core/one_line.h"
 #include "record/stop_signals.h"
-#include "scene/error.h"
-#include "scene/one_line.h"
 
 extern char** environ;
 
@@ -71,7 +71,7 @@ class SpawnActions {
     posix_spawn_file_actions_t actions_;
 };
 
-} // namespace
+}  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command) {
     std::vector<std::string> words = command;
@@ -85,7 +85,9 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) {
     log_ = ::memfd_create("child's standard error", MFD_CLOEXEC);
     const SpawnActions actions(ends[1], log_);
     const SpawnAttributes attributes;
-    const int failure = log_ < 0 ? errno : ::posix_spawnp(&id_, arguments.front(), actions.get(), attributes.get(), arguments.data(), environ);
+    const int failure =
+        log_ < 0 ? errno
+                 : ::posix_spawnp(&id_, arguments.front(), actions.get(), attributes.get(), arguments.data(), environ);
     ::close(ends[1]);
     if (failure == 0) return;
     id_ = -1;
@@ -143,8 +145,9 @@ std::string ChildProcess::lastWords() {
     text.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
     while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == ' ')) text.pop_back();
     text.erase(0, text.find_last_of("\r\n") + 1);
-    const std::string how = WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_)) : fmt::format("exit code {}", WEXITSTATUS(status_));
+    const std::string how = WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_))
+                                                 : fmt::format("exit code {}", WEXITSTATUS(status_));
     return text.empty() ? how : how + ": " + oneLine(text, 200);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -8,8 +8,8 @@
 
 namespace timeshade {
 
-/// Another program that is fed through its standard input; what it says on standard error is kept. It is in a process group of
-/// its own, so that Ctrl-C reaches it only through us. When this process dies, its input ends.
+/// Another program that is fed through its standard input; what it says on standard error is kept. It is in a process
+/// group of its own, so that Ctrl-C reaches it only through us. When this process dies, its input ends.
 class ChildProcess {
   public:
     /// Starts `command.front()`, found on PATH. Throws Error that names it where that fails.
@@ -19,7 +19,8 @@ class ChildProcess {
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Writes all of the bytes. False where it no longer listens (no SIGPIPE), or where a second stop signal came meanwhile.
+    /// Writes all of the bytes. False where it no longer listens (no SIGPIPE), or where a second stop signal came
+    /// meanwhile.
     bool feed(std::span<const char> bytes);
     /// Ends its input and waits for it; a second stop signal kills it. True if it has ended with exit code 0.
     bool finish();
@@ -38,4 +39,4 @@ class ChildProcess {
     int status_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

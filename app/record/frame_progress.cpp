@@ -15,11 +15,14 @@ FrameProgress::~FrameProgress() {
     if (shown_) fmt::print(stderr, "\r\033[K");
 }
 
-double FrameProgress::secondsSoFar() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+double FrameProgress::secondsSoFar() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
 
 void FrameProgress::update(int done) const {
     if (!shown_) return;
-    const std::string left = done > 0 ? fmt::format(", {} left", inClockWords(secondsSoFar() / done * (frames_ - done))) : "";
+    const std::string left =
+        done > 0 ? fmt::format(", {} left", inClockWords(secondsSoFar() / done * (frames_ - done))) : "";
     fmt::print(stderr, "\r\033[Ktimeshade: frame {} of {}{}", done, frames_, left);
     std::fflush(stderr);
 }
@@ -27,7 +30,8 @@ void FrameProgress::update(int done) const {
 std::string inClockWords(double seconds) {
     const long whole = std::lround(std::max(0.0, seconds));
     const long hours = whole / 3600, minutes = whole / 60 % 60;
-    return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60) : fmt::format("{}:{:02}", minutes, whole % 60);
+    return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)
+                     : fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

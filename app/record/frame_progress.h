@@ -5,7 +5,8 @@
 
 namespace timeshade {
 
-/// "frame 12 of 120, 0:34 left" on standard error where that is a terminal: one line that is written over and wiped at the end.
+/// "frame 12 of 120, 0:34 left" on standard error where that is a terminal: one line that is written over and wiped at
+/// the end.
 class FrameProgress {
   public:
     explicit FrameProgress(int frames);
@@ -25,4 +26,4 @@ class FrameProgress {
 /// "0:34", "12:05", "1:02:03"
 std::string inClockWords(double seconds);
 
-} // namespace timeshade
+}  // namespace timeshade

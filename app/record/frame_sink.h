@@ -16,11 +16,11 @@ class FrameSink {
 
     /// Throws Error where it can't be kept.
     virtual void add(const DisplayImage& frame) = 0;
-    /// To be called after the last frame, be it as many as were planned or not. Throws Error. A sink that goes without it leaves
-    /// nothing broken behind.
+    /// To be called after the last frame, be it as many as were planned or not. Throws Error. A sink that goes without
+    /// it leaves nothing broken behind.
     virtual void finish() = 0;
     /// What is there after finish(): "F.mp4"
     virtual std::string kept() const = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

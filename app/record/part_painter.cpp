@@ -17,10 +17,15 @@ int oneTurn(const Scene& scene, const FrameRequest& request) {
     return std::max(1, static_cast<int>(std::lround(scene.duration() * request.shutter.framesPerSecond)));
 }
 
-} // namespace
+}  // namespace
 
 PartPainter::PartPainter(FrameRenderer& renderer, const ScriptPart& part, const Scene& scene, const PictureText& text)
-    : renderer_(renderer), part_(part), scene_(scene), text_(text), planner_(scene), first_(requestFor(part.drawn, scene)),
+    : renderer_(renderer),
+      part_(part),
+      scene_(scene),
+      text_(text),
+      planner_(scene),
+      first_(requestFor(part.drawn, scene)),
       techniques_(techniquesFor(part.drawn, renderer.programs())) {
     // A turn begins at its beginning, not where the scene looks best.
     if (!part.drawn.frame && !part.drawn.seconds) first_.frame = 0.0;
@@ -37,7 +42,8 @@ FrameRequest PartPainter::requestNow() const {
     if (cameraTo_) {
         const double seconds = request.shutter.openSeconds(request.frame);
         const double share = frames_ > 1 ? static_cast<double>(done_) / (frames_ - 1) : 0.0;
-        request.cameraPose = between(scene_.camera(request.cameraIndex, seconds), scene_.camera(*cameraTo_, seconds), eased(share));
+        request.cameraPose =
+            between(scene_.camera(request.cameraIndex, seconds), scene_.camera(*cameraTo_, seconds), eased(share));
     }
     return request;
 }
@@ -52,7 +58,8 @@ std::optional<DisplayImage> PartPainter::next() {
         pictures.push_back(std::move(*picture));
     }
     const double share = frames_ > 1 ? static_cast<double>(done_) / (frames_ - 1) : 0.0;
-    DisplayImage picture = composedFor(part_.drawn, easedThrough(part_.seams, share), labelsOf(techniques_), pictures, text_);
+    DisplayImage picture =
+        composedFor(part_.drawn, easedThrough(part_.seams, share), labelsOf(techniques_), pictures, text_);
     text_.drawCaption(picture, part_.title, part_.caption);
     ++done_;
     return picture;
@@ -68,4 +75,4 @@ std::optional<DisplayImage> PartPainter::drawn(Technique& technique, const Frame
     return std::nullopt;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

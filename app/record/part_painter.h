@@ -11,8 +11,8 @@
 
 namespace timeshade {
 
-/// Draws the frames of one part in order. The frame's number is the only clock. A technique with a history is warmed up before the
-/// first, and goes on from frame to frame.
+/// Draws the frames of one part in order. The frame's number is the only clock. A technique with a history is warmed up
+/// before the first, and goes on from frame to frame.
 class PartPainter {
   public:
     /// All must outlive it. Throws UsageError for a camera that the scene does not have.
@@ -37,4 +37,4 @@ class PartPainter {
     int frames_ = 0, done_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -23,4 +23,4 @@ class PictureFolder final : public FrameSink {
     int frames_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "gl_checks.h"
 #include "headless.h"
 #include "make_context.h"
@@ -15,7 +16,6 @@
 #include "record/stop_signals.h"
 #include "record/video_file.h"
 #include "report.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 
 namespace timeshade {
@@ -30,12 +30,15 @@ struct ReadyPart {
 };
 
 /// Parts that follow each other in one scene share it.
-std::vector<ReadyPart> readyParts(const std::vector<ScriptPart>& parts, FrameRenderer& renderer, const PictureText& text) {
+std::vector<ReadyPart> readyParts(const std::vector<ScriptPart>& parts, FrameRenderer& renderer,
+                                  const PictureText& text) {
     std::vector<ReadyPart> ready;
     for (const ScriptPart& part : parts) {
         const ScriptPart* last = ready.empty() ? nullptr : ready.back().part;
-        const bool same = last != nullptr && last->drawn.scene == part.drawn.scene && last->drawn.clip == part.drawn.clip && last->drawn.settings == part.drawn.settings;
-        std::shared_ptr<const Scene> scene = same ? ready.back().scene : openScene(part.drawn.scene, part.drawn.clip, part.drawn.settings);
+        const bool same = last != nullptr && last->drawn.scene == part.drawn.scene &&
+                          last->drawn.clip == part.drawn.clip && last->drawn.settings == part.drawn.settings;
+        std::shared_ptr<const Scene> scene =
+            same ? ready.back().scene : openScene(part.drawn.scene, part.drawn.clip, part.drawn.settings);
         if (!same)
             for (const std::string& note : scene->notes()) fmt::print(stderr, "timeshade: note: {}\n", note);
         auto painter = std::make_unique<PartPainter>(renderer, part, *scene, text);
@@ -79,8 +82,9 @@ int drawAll(std::vector<ReadyPart>& parts, FrameSink& sink, const FrameProgress&
     throw Error(fmt::format("stopped by {} after {} of {} frames; {} holds these", signal, done, total, sink.kept()));
 }
 
-std::string reportOf(const Options& options, const std::vector<ScriptPart>& parts, const std::vector<ReadyPart>& ready, const std::vector<int>& frames,
-                     double framesPerSecond, double seconds, const gl::DeviceInfo& device) {
+std::string reportOf(const Options& options, const std::vector<ScriptPart>& parts, const std::vector<ReadyPart>& ready,
+                     const std::vector<int>& frames, double framesPerSecond, double seconds,
+                     const gl::DeviceInfo& device) {
     nlohmann::ordered_json json;
     json["timeshade"] = TIMESHADE_VERSION;
     json["command"] = options.commandLine;
@@ -89,7 +93,12 @@ std::string reportOf(const Options& options, const std::vector<ScriptPart>& part
     int total = 0;
     for (std::size_t i = 0; i < ready.size(); ++i) {
         const Options& drawn = parts[i].drawn;
-        json["parts"].push_back({{"scene", drawn.scene}, {"first", total}, {"frames", frames[i]}, {"step", parts[i].step}, {"spp", drawn.samplesPerPixel}, {"map", drawn.mapSize}});
+        json["parts"].push_back({{"scene", drawn.scene},
+                                 {"first", total},
+                                 {"frames", frames[i]},
+                                 {"step", parts[i].step},
+                                 {"spp", drawn.samplesPerPixel},
+                                 {"map", drawn.mapSize}});
         if (drawn.compared.empty())
             json["parts"].back()["technique"] = drawn.technique;
         else
@@ -98,11 +107,14 @@ std::string reportOf(const Options& options, const std::vector<ScriptPart>& part
     }
     json["frames"] = total;
     json["seconds"] = seconds;
-    json["gl"] = {{"vendor", device.vendor}, {"renderer", device.renderer}, {"version", device.version}, {"software", device.software}};
+    json["gl"] = {{"vendor", device.vendor},
+                  {"renderer", device.renderer},
+                  {"version", device.version},
+                  {"software", device.software}};
     return json.dump(2) + "\n";
 }
 
-} // namespace
+}  // namespace
 
 int runRecord(const Options& options) {
     const StopSignals signals;
@@ -116,7 +128,8 @@ int runRecord(const Options& options) {
     std::vector<ReadyPart> ready = readyParts(parts, renderer, text);
 
     // One rate for all: that of the first part, unless the command line has another.
-    const double framesPerSecond = parts.front().drawn.framesPerSecond.value_or(ready.front().scene->defaults().framesPerSecond);
+    const double framesPerSecond =
+        parts.front().drawn.framesPerSecond.value_or(ready.front().scene->defaults().framesPerSecond);
     std::vector<int> frames;
     int total = 0;
     for (const ReadyPart& part : ready) total += frames.emplace_back(part.painter->frames());
@@ -129,8 +142,9 @@ int runRecord(const Options& options) {
         sink->finish();
         seconds = progress.secondsSoFar();
     }
-    fmt::print("{}  {} frames of {} x {} at {:g} per second, drawn in {}  {}\n", std::filesystem::absolute(sink->kept()).lexically_normal().string(), total,
-               parts.front().drawn.width, parts.front().drawn.height, framesPerSecond, inClockWords(seconds), deviceLine(renderer.device()));
+    fmt::print("{}  {} frames of {} x {} at {:g} per second, drawn in {}  {}\n",
+               std::filesystem::absolute(sink->kept()).lexically_normal().string(), total, parts.front().drawn.width,
+               parts.front().drawn.height, framesPerSecond, inClockWords(seconds), deviceLine(renderer.device()));
     if (!options.json.empty()) {
         const std::string report = reportOf(options, parts, ready, frames, framesPerSecond, seconds, renderer.device());
         writeFileAtomically(options.json, report);
@@ -138,4 +152,4 @@ int runRecord(const Options& options) {
     return 0;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

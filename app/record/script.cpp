@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "settings_file.h"
 
 namespace timeshade {
@@ -23,7 +23,8 @@ nlohmann::json taken(nlohmann::json& part, const std::string& key) {
 
 std::string takenText(nlohmann::json& part, const std::string& key) {
     const nlohmann::json value = taken(part, key);
-    if (!value.is_null() && !value.is_string()) throw Error(fmt::format("\"{}\" is {}; expected a text", key, value.type_name()));
+    if (!value.is_null() && !value.is_string())
+        throw Error(fmt::format("\"{}\" is {}; expected a text", key, value.type_name()));
     return value.is_string() ? value.get<std::string>() : "";
 }
 
@@ -64,7 +65,8 @@ ScriptPart partOf(nlohmann::json json, const nlohmann::json& common, const Optio
     settings.insert(settings.end(), own.begin(), own.end());
     for (const FileSetting& setting : settings) {
         // The command line wins, but here --scene would be what excludes a script.
-        if (setting.key != "scene") arguments.insert(arguments.end(), setting.arguments.begin(), setting.arguments.end());
+        if (setting.key != "scene")
+            arguments.insert(arguments.end(), setting.arguments.begin(), setting.arguments.end());
     }
     arguments.insert(arguments.end(), options.arguments.begin() + 1, options.arguments.end());
     part.drawn = parseArguments(arguments);
@@ -74,7 +76,7 @@ ScriptPart partOf(nlohmann::json json, const nlohmann::json& common, const Optio
     return part;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<ScriptPart> partsOf(const Options& options) {
     if (options.script.empty()) {
@@ -87,7 +89,8 @@ std::vector<ScriptPart> partsOf(const Options& options) {
     const std::string text = textOfFile(options.script, "--script");
     const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (!json.is_object() || !json.contains("parts") || !json["parts"].is_array() || json["parts"].empty())
-        throw Error(fmt::format("{}: expected a JSON object with \"parts\", an array of at least one part", options.script));
+        throw Error(
+            fmt::format("{}: expected a JSON object with \"parts\", an array of at least one part", options.script));
     const nlohmann::json common = json.value("options", nlohmann::json::object());
     std::vector<ScriptPart> parts;
     for (const nlohmann::json& part : json["parts"]) {
@@ -96,7 +99,8 @@ std::vector<ScriptPart> partsOf(const Options& options) {
             parts.push_back(partOf(part, common, options, place));
             const Options &first = parts.front().drawn, &last = parts.back().drawn;
             if (first.width != last.width || first.height != last.height)
-                throw Error(fmt::format("\"size\" is {}x{}; expected {}x{} as of the first part", last.width, last.height, first.width, first.height));
+                throw Error(fmt::format("\"size\" is {}x{}; expected {}x{} as of the first part", last.width,
+                                        last.height, first.width, first.height));
         } catch (const UsageError& error) {
             throw UsageError(fmt::format("{}: {}", place, error.what()));
         } catch (const Error& error) {
@@ -118,4 +122,4 @@ double easedThrough(const std::vector<double>& values, double share) {
     return values[from] + (values[from + 1] - values[from]) * eased(along - static_cast<double>(from));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -19,7 +19,7 @@ void onSignal(int number) {
     caught = caught + 1;
 }
 
-} // namespace
+}  // namespace
 
 StopSignals::StopSignals() {
     caught = 0;
@@ -42,4 +42,4 @@ int StopSignals::count() { return caught; }
 
 const char* StopSignals::name() { return first == SIGINT ? "SIGINT" : first == SIGTERM ? "SIGTERM" : "SIGHUP"; }
 
-} // namespace timeshade
+}  // namespace timeshade

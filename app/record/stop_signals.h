@@ -2,8 +2,8 @@
 
 namespace timeshade {
 
-/// While one lives, SIGINT, SIGTERM and SIGHUP are counted instead of ending the program, so that long work can close its
-/// files. System calls that wait are interrupted by them. One at a time.
+/// While one lives, SIGINT, SIGTERM and SIGHUP are counted instead of ending the program, so that long work can close
+/// its files. System calls that wait are interrupted by them. One at a time.
 class StopSignals {
   public:
     StopSignals();
@@ -17,4 +17,4 @@ class StopSignals {
     static const char* name();
 };
 
-} // namespace timeshade
+}  // namespace timeshade

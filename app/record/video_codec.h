@@ -4,4 +4,4 @@ namespace timeshade {
 
 enum class VideoCodec { H264, Hevc, Av1 };
 
-} // namespace timeshade
+}  // namespace timeshade

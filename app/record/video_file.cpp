@@ -11,8 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/error.h"
 #include "record/stop_signals.h"
-#include "scene/error.h"
 
 namespace timeshade {
 
@@ -38,14 +38,16 @@ std::vector<std::string> commandFor(const VideoFormat& format, const std::filesy
     add({"-c:v", encoderOf(format.codec), "-crf", fmt::format("{}", format.quality)});
     if (format.codec == VideoCodec::Hevc) add({"-tag:v", "hvc1", "-x265-params", "log-level=error"});
     // Nothing that differs from run to run; the index in front, so that a player can begin at once.
-    add({"-fflags", "+bitexact", "-flags:v", "+bitexact", "-movflags", "+faststart", "-f", "mp4", "file:" + part.string()});
+    add({"-fflags", "+bitexact", "-flags:v", "+bitexact", "-movflags", "+faststart", "-f", "mp4",
+         "file:" + part.string()});
     return command;
 }
 
 /// Where the links of the path end, and that a file can be made there.
 std::filesystem::path checkedTarget(const std::filesystem::path& path, const VideoFormat& format) {
     if (format.width % 2 != 0 || format.height % 2 != 0)
-        throw UsageError(fmt::format("--size {}x{}: expected an even width and height for a video", format.width, format.height));
+        throw UsageError(
+            fmt::format("--size {}x{}: expected an even width and height for a video", format.width, format.height));
     requireWritable(path);
     std::error_code failure;
     const std::filesystem::path target = std::filesystem::weakly_canonical(path, failure);
@@ -58,7 +60,7 @@ std::filesystem::path partOf(const std::filesystem::path& target) {
     return target.parent_path() / fmt::format("{}.{}.part", target.filename().string().substr(0, 200), ::getpid());
 }
 
-} // namespace
+}  // namespace
 
 VideoFile::VideoFile(std::filesystem::path path, const VideoFormat& format)
     : path_(std::move(path)), part_(partOf(checkedTarget(path_, format))), encoder_(commandFor(format, part_)) {}
@@ -81,13 +83,15 @@ void VideoFile::finish() {
     int failure = file < 0 || ::fsync(file) != 0 ? errno : 0;
     if (file >= 0) ::close(file);
     if (failure == 0 && ::rename(part_.c_str(), target.c_str()) != 0) failure = errno;
-    if (failure != 0) throw Error(fmt::format("cannot write {}: {}", path_.string(), std::generic_category().message(failure)));
+    if (failure != 0)
+        throw Error(fmt::format("cannot write {}: {}", path_.string(), std::generic_category().message(failure)));
 }
 
 void VideoFile::fail() {
     if (StopSignals::count() > 1) encoder_.kill();
     encoder_.finish();
-    throw Error(fmt::format("cannot write {}: ffmpeg ended after {} frames with {}", path_.string(), frames_, encoder_.lastWords()));
+    throw Error(fmt::format("cannot write {}: ffmpeg ended after {} frames with {}", path_.string(), frames_,
+                            encoder_.lastWords()));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

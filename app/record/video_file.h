@@ -16,8 +16,8 @@ struct VideoFormat {
     int quality = 18;  ///< the encoder's constant rate factor, 0 .. 51: less is better and larger
 };
 
-/// An MP4 file, made by the program ffmpeg from raw frames. It grows under a temporary name beside the path and is renamed when
-/// whole. Should this process be killed, ffmpeg closes the temporary file, which can then be played.
+/// An MP4 file, made by the program ffmpeg from raw frames. It grows under a temporary name beside the path and is
+/// renamed when whole. Should this process be killed, ffmpeg closes the temporary file, which can then be played.
 class VideoFile final : public FrameSink {
   public:
     /// Throws Error where ffmpeg can't be started or the path can't be written to, UsageError for an odd size.
@@ -37,4 +37,4 @@ class VideoFile final : public FrameSink {
     int frames_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

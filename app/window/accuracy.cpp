@@ -25,58 +25,65 @@ std::optional<std::size_t> rendersPlace(const std::string& technique) {
     gl::ProgramCache none;  // settings are declared without OpenGL
     const std::unique_ptr<Technique> example = makeTechnique(technique, none);
     const std::vector<Setting> settings = settingsOf(*example);
-    const auto found = std::find_if(settings.begin(), settings.end(), [](const Setting& setting) { return setting.key == "renders"; });
+    const auto found =
+        std::find_if(settings.begin(), settings.end(), [](const Setting& setting) { return setting.key == "renders"; });
     if (found == settings.end()) return std::nullopt;
     return static_cast<std::size_t>(found - settings.begin());
 }
 
 /// What the session would set another technique to if it were chosen.
 ProbeSubject otherSubject(Session& session, const std::string& technique) {
-    const auto kept = session.keptSettings.find(technique);
-    if (kept != session.keptSettings.end()) return {technique, kept->second, session.request.samplesPerPixel, session.request.mapSize};
+    const auto kept = session.cachedSettings.find(technique);
+    if (kept != session.cachedSettings.end())
+        return {technique, kept->second, session.request.samplesPerPixel, session.request.mapSize};
     Options chosen = session.options;
     chosen.technique = technique;
-    return {technique, valuesOf(*techniqueFor(chosen, session.renderer.programs())), session.request.samplesPerPixel, session.request.mapSize};
+    return {technique, valuesOf(*techniqueFor(chosen, session.renderer.programs())), session.request.samplesPerPixel,
+            session.request.mapSize};
 }
 
-std::vector<int> effortsFor(const std::string& technique) {
-    std::vector<int> efforts;
+std::vector<int> sampleCountsFor(const std::string& technique) {
+    std::vector<int> sampleCounts;
     if (rendersPlace(technique))
-        for (int renders = 1; renders <= 4096; renders *= 2) efforts.push_back(renders);
+        for (int renders = 1; renders <= 4096; renders *= 2) sampleCounts.push_back(renders);
     else
-        for (int samples = 1; samples <= maximumSamplesPerPixel; ++samples) efforts.push_back(samples);
-    return efforts;
+        for (int samples = 1; samples <= maximumSamplesPerPixel; ++samples) sampleCounts.push_back(samples);
+    return sampleCounts;
 }
 
-void setEffort(ProbeSubject& subject, int effort) {
+void setSampleCount(ProbeSubject& subject, int sampleCount) {
     if (const auto place = rendersPlace(subject.technique))
-        subject.settings[*place] = effort;
+        subject.settings[*place] = sampleCount;
     else
-        subject.samplesPerPixel = effort;
+        subject.samplesPerPixel = sampleCount;
 }
 
 std::string amount(Accuracy::Level level, double value) {
-    return level == Accuracy::Level::Time ? fmt::format("takes {:.3g} ms", value) : fmt::format("errs by {:.3g}", value);
+    return level == Accuracy::Level::Time ? fmt::format("takes {:.3g} ms", value)
+                                          : fmt::format("errs by {:.3g}", value);
 }
 
-} // namespace
+}  // namespace
 
 ProbeSubject subjectOf(const Session& session) {
-    return {session.technique->description().name, valuesOf(*session.technique), session.request.samplesPerPixel, session.request.mapSize};
+    return {session.technique->description().name, valuesOf(*session.technique), session.request.samplesPerPixel,
+            session.request.mapSize};
 }
 
-std::string effortInWords(const ProbeSubject& subject) {
-    if (const auto place = rendersPlace(subject.technique)) return fmt::format("{} at {:g} renders", subject.technique, subject.settings[*place]);
+std::string sampleCountInWords(const ProbeSubject& subject) {
+    if (const auto place = rendersPlace(subject.technique))
+        return fmt::format("{} at {:g} renders", subject.technique, subject.settings[*place]);
     return fmt::format("{} at {} spp", subject.technique, subject.samplesPerPixel);
 }
 
-std::string effortLabel(const ProbeSubject& subject) {
+std::string sampleCountLabel(const ProbeSubject& subject) {
     if (const auto place = rendersPlace(subject.technique)) return fmt::format("{:g}x", subject.settings[*place]);
     return std::to_string(subject.samplesPerPixel);
 }
 
 const ProbePoint* Accuracy::find(const ProbeSubject& subject) const {
-    const auto found = std::find_if(trail_.begin(), trail_.end(), [&](const ProbePoint& point) { return point.subject == subject; });
+    const auto found =
+        std::find_if(trail_.begin(), trail_.end(), [&](const ProbePoint& point) { return point.subject == subject; });
     return found == trail_.end() ? nullptr : &*found;
 }
 
@@ -95,14 +102,15 @@ void Accuracy::match(Session& session, const std::string& technique, Level level
     const bool time = level == Level::Time;
     said_.clear();
     match_ = Match{*of, otherSubject(session, technique), level,
-                   EffortSearch(effortsFor(technique), time ? of->milliseconds : of->rmse, time ? EffortSearch::Value::Rises : EffortSearch::Value::Falls)};
+                   SampleCountSearch(sampleCountsFor(technique), time ? of->milliseconds : of->rmse,
+                                     time ? SampleCountSearch::Value::Rises : SampleCountSearch::Value::Falls)};
 }
 
-std::string Accuracy::trying() const { return match_ ? effortInWords(match_->other) : ""; }
+std::string Accuracy::trying() const { return match_ ? sampleCountInWords(match_->other) : ""; }
 
 std::optional<ProbeSubject> Accuracy::advanceMatch(Session& session) {
-    while (const std::optional<int> effort = match_->search.next()) {
-        setEffort(match_->other, *effort);
+    while (const std::optional<int> sampleCount = match_->search.next()) {
+        setSampleCount(match_->other, *sampleCount);
         const ProbePoint* known = find(match_->other);
         if (known == nullptr) return match_->other;
         match_->search.answer(match_->level == Level::Time ? known->milliseconds : known->rmse);
@@ -113,14 +121,16 @@ std::optional<ProbeSubject> Accuracy::advanceMatch(Session& session) {
 
 void Accuracy::finishMatch(Session& session) {
     Match match = *std::exchange(match_, std::nullopt);
-    const EffortSearch& search = match.search;
+    const SampleCountSearch& search = match.search;
     const bool time = match.level == Level::Time;
-    setEffort(match.other, search.effort());
-    const std::string other = fmt::format("{} {}", effortInWords(match.other), amount(match.level, search.value()));
-    const std::string current = fmt::format("{} {}", effortInWords(match.of.subject), amount(match.level, time ? match.of.milliseconds : match.of.rmse));
-    if (search.outcome() == EffortSearch::Outcome::Found) {
+    setSampleCount(match.other, search.sampleCount());
+    const std::string other =
+        fmt::format("{} {}", sampleCountInWords(match.other), amount(match.level, search.value()));
+    const std::string current = fmt::format("{} {}", sampleCountInWords(match.of.subject),
+                                            amount(match.level, time ? match.of.milliseconds : match.of.rmse));
+    if (search.outcome() == SampleCountSearch::Outcome::Found) {
         said_ = fmt::format("{}, as {}.", other, current);
-        session.keptSettings[match.other.technique] = match.other.settings;
+        session.cachedSettings[match.other.technique] = match.other.settings;
         session.request.samplesPerPixel = match.other.samplesPerPixel;
         session.wishedTechnique = match.other.technique;
         session.accuracyOther = match.of.subject.technique;  // so that the buttons lead back
@@ -134,7 +144,8 @@ void Accuracy::finishMatch(Session& session) {
 bool Accuracy::update(Session& session) {
     const State before = state_;
     const int revisionBefore = revision_;
-    const bool settled = session.driver.settled() && session.driver.hasPlan() && !session.driver.preview() && !session.driver.measuring();
+    const bool settled = session.driver.settled() && session.driver.hasPlan() && !session.driver.preview() &&
+                         !session.driver.measuring();
     if (!std::exchange(wanted_, false) || session.playback.playing() || !settled) {
         state_ = State::Waiting;
         return before != State::Waiting;
@@ -168,4 +179,4 @@ bool Accuracy::update(Session& session) {
     return working() || state_ != before || revision_ != revisionBefore;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

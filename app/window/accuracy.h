@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/effort_search.h"
+#include "measure/sample_count_search.h"
 #include "window/accuracy_probe.h"
 
 namespace timeshade {
@@ -16,11 +16,11 @@ struct Session;
 class Accuracy {
   public:
     enum class State {
-        Waiting,    ///< for the picture, or for the playback to stop
+        Waiting,  ///< for the picture, or for the playback to stop
         Reference,
         Measuring,
-        Idle,       ///< all is known
-        Failed,     ///< see failure()
+        Idle,    ///< all is known
+        Failed,  ///< see failure()
     };
 
     /// To be called on every frame in which the panel can be seen; nothing is measured on the others.
@@ -54,7 +54,7 @@ class Accuracy {
         ProbePoint of;
         ProbeSubject other;
         Level level;
-        EffortSearch search;
+        SampleCountSearch search;
     };
     const ProbePoint* find(const ProbeSubject& subject) const;
     /// Lets the search have what is known. The subject that it wants to be measured, if any.
@@ -74,8 +74,8 @@ class Accuracy {
 /// What the session draws now.
 ProbeSubject subjectOf(const Session& session);
 /// "tsm at 8 spp", "accumulation at 64 renders"
-std::string effortInWords(const ProbeSubject& subject);
+std::string sampleCountInWords(const ProbeSubject& subject);
 /// "8", "64x"
-std::string effortLabel(const ProbeSubject& subject);
+std::string sampleCountLabel(const ProbeSubject& subject);
 
-} // namespace timeshade
+}  // namespace timeshade

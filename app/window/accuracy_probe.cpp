@@ -20,14 +20,17 @@ constexpr std::size_t countedDraws = 3;
 
 using Clock = std::chrono::steady_clock;
 
-double millisecondsSince(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
 
-} // namespace
+}  // namespace
 
 std::unique_ptr<Technique> techniqueOf(const ProbeSubject& subject, gl::ProgramCache& programs) {
     std::unique_ptr<Technique> technique = makeTechnique(subject.technique, programs);
     std::vector<Setting> settings = settingsOf(*technique);
-    for (std::size_t i = 0; i < std::min(settings.size(), subject.settings.size()); ++i) settings[i].set(subject.settings[i]);
+    for (std::size_t i = 0; i < std::min(settings.size(), subject.settings.size()); ++i)
+        settings[i].set(subject.settings[i]);
     return technique;
 }
 
@@ -76,7 +79,8 @@ std::optional<ProbePoint> AccuracyProbe::step() {
         if (!reference_) {
             ReferenceOptions options;
             options.samplesPerPixel = referenceSamples;
-            reference_ = std::make_unique<ReferenceBuilder>(planFor(maximumSamplesPerPixel, request_.mapSize), options, cache_);
+            reference_ =
+                std::make_unique<ReferenceBuilder>(planFor(maximumSamplesPerPixel, request_.mapSize), options, cache_);
         }
         if (reference_->complete()) return draw();
         reference_->step(*renderer_);
@@ -120,10 +124,11 @@ std::optional<ProbePoint> AccuracyProbe::draw() {
     if (draws_++ > 0 || brute) times_.push_back(milliseconds_);
     if (times_.size() < (brute ? 1 : countedDraws)) return std::nullopt;
     std::sort(times_.begin(), times_.end());
-    const ProbePoint point{*subject_, times_[times_.size() / 2], compareImages(renderer_->readRadiance(), reference_->image()).rmse};
+    const ProbePoint point{*subject_, times_[times_.size() / 2],
+                           compareImages(renderer_->readRadiance(), reference_->image()).rmse};
     subject_.reset();
     technique_.reset();  // its maps may be large, and the picture's technique has its own
     return point;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -71,10 +71,10 @@ class AccuracyProbe {
     std::unique_ptr<Technique> technique_;
     std::optional<FramePlan> plan_;
     bool drawing_ = false;
-    int draws_ = 0;             ///< completed
-    double milliseconds_ = 0.0; ///< of the draw at work
+    int draws_ = 0;              ///< completed
+    double milliseconds_ = 0.0;  ///< of the draw at work
     std::vector<double> times_;
     std::string failure_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

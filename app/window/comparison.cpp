@@ -25,7 +25,7 @@ ProbeSubject subjectOfTechnique(Technique& technique, const FrameRequest& reques
     return subject;
 }
 
-} // namespace
+}  // namespace
 
 std::string variantOf(Technique& technique) {
     std::string variant = technique.description().name;
@@ -67,7 +67,9 @@ bool Comparison::update(Session& session, const FrameDriver::Wanted& first) {
 }
 
 bool Comparison::settled(const Session& session) const {
-    const auto whole = [](const FrameDriver& driver) { return driver.settled() && driver.state() == FrameDriver::State::Complete && !driver.preview(); };
+    const auto whole = [](const FrameDriver& driver) {
+        return driver.settled() && driver.state() == FrameDriver::State::Complete && !driver.preview();
+    };
     return on() && driver_ && whole(session.driver) && whole(*driver_);
 }
 
@@ -80,7 +82,8 @@ bool Comparison::updateDifference(Session& session) {
     const bool wanted = mode == CompareMode::Difference && !flip && settled(session);
     if (!wanted) return std::exchange(difference_, std::nullopt).has_value();
     if (difference_ && differenceOf_[0] == session.driver.begun() && differenceOf_[1] == driver_->begun()) return false;
-    upload(difference_, composed(session.renderer.readPicture(), renderer_->readPicture(), CompareMode::Difference, seam));
+    upload(difference_,
+           composed(session.renderer.readPicture(), renderer_->readPicture(), CompareMode::Difference, seam));
     differenceOf_[0] = session.driver.begun();
     differenceOf_[1] = driver_->begun();
     return true;
@@ -92,7 +95,9 @@ bool Comparison::updateErrors(Session& session) {
     if (probe_.aim(*session.planner, session.sceneNumber, session.request)) points_.clear();
     for (Technique* technique : {session.technique.get(), technique_.get()}) {
         const ProbeSubject subject = subjectOfTechnique(*technique, session.request);
-        if (std::any_of(points_.begin(), points_.end(), [&](const ProbePoint& point) { return point.subject == subject; })) continue;
+        if (std::any_of(points_.begin(), points_.end(),
+                        [&](const ProbePoint& point) { return point.subject == subject; }))
+            continue;
         probe_.measure(subject);
         if (!probe_.failure().empty()) continue;
         if (const std::optional<ProbePoint> point = probe_.step()) points_.push_back(*point);
@@ -103,7 +108,7 @@ bool Comparison::updateErrors(Session& session) {
 
 std::string Comparison::label(const Session& session, bool ofSecond) const {
     Technique& technique = ofSecond ? *technique_ : *session.technique;
-    std::string text = effortLabel(variantOf(technique), technique, session.request.samplesPerPixel);
+    std::string text = sampleCountLabel(variantOf(technique), technique, session.request.samplesPerPixel);
     const FrameTimes* times = !ofSecond ? &session.driver.times() : driver_ ? &driver_->times() : nullptr;
     if (times != nullptr && times->frames() > 0) text += fmt::format(", {:.4g} ms", times->medianTotal());
     const ProbeSubject subject = subjectOfTechnique(technique, session.request);
@@ -112,15 +117,19 @@ std::string Comparison::label(const Session& session, bool ofSecond) const {
     return text;
 }
 
-std::vector<std::string> Comparison::variants(Session& session) const { return {variantOf(*session.technique), variantOf(*technique_)}; }
+std::vector<std::string> Comparison::variants(Session& session) const {
+    return {variantOf(*session.technique), variantOf(*technique_)};
+}
 
 DisplayImage Comparison::composedPicture(Session& session) {
     Options options = session.options;
     options.compareMode = mode;
     const std::vector<std::string> names = variants(session);
     const int samples = session.request.samplesPerPixel;
-    return composedFor(options, seam, {effortLabel(names[0], *session.technique, samples), effortLabel(names[1], *technique_, samples)},
-                       {session.renderer.readPicture(), renderer_->readPicture()}, PictureText());
+    return composedFor(
+        options, seam,
+        {sampleCountLabel(names[0], *session.technique, samples), sampleCountLabel(names[1], *technique_, samples)},
+        {session.renderer.readPicture(), renderer_->readPicture()}, PictureText());
 }
 
 LinearImage Comparison::composedRadiance(Session& session) {
@@ -130,11 +139,12 @@ LinearImage Comparison::composedRadiance(Session& session) {
 std::string Comparison::manifests(Session& session) {
     nlohmann::ordered_json json;
     const auto add = [&](const FrameRenderer& renderer, Technique& technique, const FrameTimes& times) {
-        json["compare"].push_back(nlohmann::ordered_json::parse(manifest(renderer, technique, session.sceneName, *session.scene, session.backEnd, times.medians())));
+        json["compare"].push_back(nlohmann::ordered_json::parse(
+            manifest(renderer, technique, session.sceneName, *session.scene, session.backEnd, times.medians())));
     };
     add(session.renderer, *session.technique, session.driver.times());
     add(*renderer_, *technique_, driver_->times());
     return json.dump(2) + "\n";
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -14,8 +14,8 @@ namespace timeshade {
 
 struct Session;
 
-/// The second technique of a comparison in the window: drawn of the same moment, with the same samples, by a renderer of its own;
-/// and what both halves cost and how wrong they are.
+/// The second technique of a comparison in the window: drawn of the same moment, with the same samples, by a renderer
+/// of its own; and what both halves cost and how wrong they are.
 class Comparison {
   public:
     bool on() const { return technique_ != nullptr; }
@@ -26,9 +26,12 @@ class Comparison {
     void swap(Session& session);
 
     /// As ProgramCache::reload, for the second's passes.
-    std::vector<std::string> reloadShaders() { return renderer_ ? renderer_->programs().reload() : std::vector<std::string>{}; }
+    std::vector<std::string> reloadShaders() {
+        return renderer_ ? renderer_->programs().reload() : std::vector<std::string>{};
+    }
 
-    /// Draws the second picture, then, when nothing moves, finds the errors, a step at a time. True if the window has to be drawn again.
+    /// Draws the second picture, then, when nothing moves, finds the errors, a step at a time. True if the window has
+    /// to be drawn again.
     bool update(Session& session, const FrameDriver::Wanted& first);
 
     /// Null as long as there is none.
@@ -55,7 +58,7 @@ class Comparison {
     std::string manifests(Session& session);
 
     CompareMode mode = CompareMode::Wipe;
-    bool flip = false;   ///< instead of the mode: one of them alone, the other while a key is held
+    bool flip = false;  ///< instead of the mode: one of them alone, the other while a key is held
     bool flipped = false;
     double seam = 0.5;
 
@@ -76,4 +79,4 @@ class Comparison {
 /// A technique as --compare takes it, with those of its settings that are not at their defaults.
 std::string variantOf(Technique& technique);
 
-} // namespace timeshade
+}  // namespace timeshade

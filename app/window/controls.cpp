@@ -14,7 +14,7 @@ namespace timeshade {
 namespace {
 
 constexpr double radiansPerHeight = 3.0;  // of a drag over the whole height of the picture
-constexpr float seamReach = 8.0f;  // units of the window within which the seam is grasped
+constexpr float seamReach = 8.0f;         // units of the window within which the seam is grasped
 constexpr double zoomPerNotch = 0.88;
 
 /// From one of the comparing views back to the first.
@@ -42,9 +42,7 @@ void applyKey(Session& session, int key) {
     case GLFW_KEY_RIGHT: session.playback.step(1); return;
     case GLFW_KEY_COMMA: stepInstant(session, -1.0 / 16.0); return;
     case GLFW_KEY_PERIOD: stepInstant(session, 1.0 / 16.0); return;
-    case GLFW_KEY_V:
-        nextView(session);
-        return;
+    case GLFW_KEY_V: nextView(session); return;
     case GLFW_KEY_X: session.wishedSwap = true; return;
     case GLFW_KEY_P: session.wishedScreenshot = true; return;
     case GLFW_KEY_H: session.panelsVisible = !session.panelsVisible; return;
@@ -64,16 +62,18 @@ void applyControlKey(Session& session, int key) {
     if (key == GLFW_KEY_C && !typing) session.wishedCommand = true;
 }
 
-} // namespace
+}  // namespace
 
 bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
     for (const KeyPress& press : keys) {
         if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL) != 0) return true;
-        if (press.key == GLFW_KEY_SLASH && (press.mods & GLFW_MOD_SHIFT) != 0 && !ImGui::GetIO().WantTextInput) session.keysVisible = !session.keysVisible;
+        if (press.key == GLFW_KEY_SLASH && (press.mods & GLFW_MOD_SHIFT) != 0 && !ImGui::GetIO().WantTextInput)
+            session.keysVisible = !session.keysVisible;
         if ((press.mods & GLFW_MOD_CONTROL) != 0) applyControlKey(session, press.key);
         const bool typing = ImGui::GetIO().WantTextInput;
         if (!typing && press.key == GLFW_KEY_P && (press.mods & GLFW_MOD_SHIFT) != 0) session.wishedExr = true;
-        if (!typing && (press.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0) applyKey(session, press.key);
+        if (!typing && (press.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0)
+            applyKey(session, press.key);
     }
     return false;
 }
@@ -83,8 +83,11 @@ namespace {
 /// Magnifies the pixel under the mouse; over the one that is magnified, or beside the picture, ends it.
 void pickPixel(Session& session, const Area& picture) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const auto pixel = [](float at, float from, float size, int pixels) { return static_cast<int>(std::floor((at - from) / std::max(size, 1.0f) * static_cast<float>(pixels))); };
-    const int x = pixel(mouse.x, picture.position.x, picture.size.x, session.request.width), y = pixel(mouse.y, picture.position.y, picture.size.y, session.request.height);
+    const auto pixel = [](float at, float from, float size, int pixels) {
+        return static_cast<int>(std::floor((at - from) / std::max(size, 1.0f) * static_cast<float>(pixels)));
+    };
+    const int x = pixel(mouse.x, picture.position.x, picture.size.x, session.request.width),
+              y = pixel(mouse.y, picture.position.y, picture.size.y, session.request.height);
     const bool inside = x >= 0 && y >= 0 && x < session.request.width && y < session.request.height;
     if (!inside || (session.probe.on() && session.probe.x() == x && session.probe.y() == y))
         session.probe.clear();
@@ -92,7 +95,7 @@ void pickPixel(Session& session, const Area& picture) {
         session.probe.pick(x, y);
 }
 
-} // namespace
+}  // namespace
 
 void PictureMouse::apply(Session& session, const Area& picture) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -101,7 +104,8 @@ void PictureMouse::apply(Session& session, const Area& picture) {
     Comparison& comparison = session.comparison;
     comparison.flipped = comparison.on() && !io.WantTextInput && ImGui::IsKeyDown(GLFW_KEY_F);
     const bool pressed = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
-    const bool wiping = comparison.on() && comparison.mode == CompareMode::Wipe && !comparison.flip && picture.size.x > 0.0f;
+    const bool wiping =
+        comparison.on() && comparison.mode == CompareMode::Wipe && !comparison.flip && picture.size.x > 0.0f;
     const auto seamX = picture.position.x + static_cast<float>(comparison.seam) * picture.size.x;
     const bool atSeam = wiping && !io.WantCaptureMouse && std::abs(io.MousePos.x - seamX) <= seamReach;
     if (atSeam || movingSeam_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -110,7 +114,9 @@ void PictureMouse::apply(Session& session, const Area& picture) {
     else if (pressed && !io.WantCaptureMouse)
         dragging_ = true;
     if (!down) dragging_ = movingSeam_ = false;
-    if (movingSeam_) comparison.seam = std::clamp(static_cast<double>((io.MousePos.x - picture.position.x) / picture.size.x), 0.0, 1.0);
+    if (movingSeam_)
+        comparison.seam =
+            std::clamp(static_cast<double>((io.MousePos.x - picture.position.x) / picture.size.x), 0.0, 1.0);
     const double height = std::max(1.0, static_cast<double>(picture.size.y));
     const double dx = static_cast<double>(io.MouseDelta.x) / height, dy = static_cast<double>(io.MouseDelta.y) / height;
     if (dragging_ && !pressed && (dx != 0.0 || dy != 0.0)) {
@@ -119,7 +125,8 @@ void PictureMouse::apply(Session& session, const Area& picture) {
         else
             session.freeCamera().pan(-dx, dy);
     }
-    if (io.MouseWheel != 0.0f && !io.WantCaptureMouse) session.freeCamera().zoom(std::pow(zoomPerNotch, static_cast<double>(io.MouseWheel)));
+    if (io.MouseWheel != 0.0f && !io.WantCaptureMouse)
+        session.freeCamera().zoom(std::pow(zoomPerNotch, static_cast<double>(io.MouseWheel)));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

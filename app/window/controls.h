@@ -20,4 +20,4 @@ class PictureMouse {
     bool movingSeam_ = false;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

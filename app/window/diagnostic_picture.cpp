@@ -14,7 +14,7 @@ namespace timeshade {
 namespace {
 constexpr auto budget = std::chrono::milliseconds(30);
 constexpr int longestSide = AccuracyProbe::longestSide;
-} // namespace
+}  // namespace
 
 bool DiagnosticPicture::update(Session& session, int pictureWidth) {
     const bool settled = session.driver.settled() && session.driver.hasPlan() && !session.driver.preview();
@@ -88,7 +88,8 @@ void DiagnosticPicture::compareWithReference() {
         caption_ = fmt::format("making the reference: {} of {}", reference_->batchesDone(), reference_->batches());
     } else if (drawFinal()) {
         finish(errorView(renderer_->readRadiance(), reference_->image(), 1.0, enlarged_),
-               fmt::format("|difference| at {} × {}, against {} samples a pixel", plan_->request.width, plan_->request.height, reference_->samplesPerPixel()));
+               fmt::format("|difference| at {} × {}, against {} samples a pixel", plan_->request.width,
+                           plan_->request.height, reference_->samplesPerPixel()));
     }
 }
 
@@ -97,11 +98,13 @@ void DiagnosticPicture::verify() {
         const auto begin = std::chrono::steady_clock::now();
         while (!verification_->step() && std::chrono::steady_clock::now() - begin < budget) {
         }
-        caption_ = fmt::format("asking the ray tracer: {} of {}", verification_->rendersDone(), verification_->renders());
+        caption_ =
+            fmt::format("asking the ray tracer: {} of {}", verification_->rendersDone(), verification_->renders());
     } else if (drawFinal()) {
         const Verification result = verification_->result();
         finish(disagreement_->draw(renderer_->readPicture(), enlarged_),
-               fmt::format("at {} × {}: {:.3g} % of the samples disagree", plan_->request.width, plan_->request.height, 1e-4 * result.ppm()));
+               fmt::format("at {} × {}: {:.3g} % of the samples disagree", plan_->request.width, plan_->request.height,
+                           1e-4 * result.ppm()));
     }
 }
 
@@ -126,4 +129,4 @@ void DiagnosticPicture::finish(DisplayImage image, std::string caption) {
     technique_.reset();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -60,4 +60,4 @@ class DiagnosticPicture {
     bool failed_ = false;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -14,4 +14,4 @@ void upload(std::optional<gl::Texture>& texture, const DisplayImage& image);
 /// ever, so this ends.
 void forgetGlErrors();
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -22,7 +22,8 @@ double milliseconds() {
 /// What decides how long a picture takes, apart from the view.
 std::vector<double> methodKeyOf(const FrameDriver::Wanted& wanted) {
     const FrameRequest& r = wanted.request;
-    std::vector<double> key{double(wanted.scene), double(r.width), double(r.height), double(r.samplesPerPixel), double(r.mapSize)};
+    std::vector<double> key{double(wanted.scene), double(r.width), double(r.height), double(r.samplesPerPixel),
+                            double(r.mapSize)};
     for (const Setting& setting : settingsOf(*wanted.technique)) key.push_back(setting.get());
     return key;
 }
@@ -33,7 +34,7 @@ std::vector<double> frameKeyOf(const FrameDriver::Wanted& wanted) {
     return key;
 }
 
-} // namespace
+}  // namespace
 
 FrameDriver::FrameDriver(FrameRenderer& renderer) : renderer_(renderer), quality_(renderer.device().software) {}
 
@@ -85,7 +86,8 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
     try {
         picture_ = nullptr;
         hasPlan_ = false;
-        if (level == 0 && std::exchange(warmUp_, false)) drawWarmUp(renderer_, *wanted.planner, *wanted.technique, wanted.request, wanted.view);
+        if (level == 0 && std::exchange(warmUp_, false))
+            drawWarmUp(renderer_, *wanted.planner, *wanted.technique, wanted.request, wanted.view);
         FramePlan plan = wanted.planner->plan(quality_.reduced(wanted.request, level));
         renderer_.begin(std::move(plan), *wanted.technique, wanted.view, wanted.techniqueView);
         hasPlan_ = true;
@@ -133,7 +135,8 @@ void FrameDriver::forgetTimes() {
 
 void FrameDriver::fail(const char* what) {
     // What OpenGL remembers of it must not be taken for the next picture's failure. A lost context reports for ever.
-    for (int i = 0; i < 100 && glGetError() != GL_NO_ERROR; ++i) {}
+    for (int i = 0; i < 100 && glGetError() != GL_NO_ERROR; ++i) {
+    }
     failure_ = what;
     state_ = State::Failed;
     toMeasure_ = toSettle_ = 0;
@@ -160,9 +163,10 @@ void FrameDriver::measure(int pictures) {
 }
 
 std::optional<double> FrameDriver::sleep(double now) const {
-    if (state_ == State::Drawing || toMeasure_ > 0 || (toSettle_ > 0 && state_ == State::Complete && level_ == 0)) return 0.0;
+    if (state_ == State::Drawing || toMeasure_ > 0 || (toSettle_ > 0 && state_ == State::Complete && level_ == 0))
+        return 0.0;
     if (refine_) return std::max(0.0, settleSeconds - (now - lastChange_));
     return std::nullopt;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

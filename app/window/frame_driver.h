@@ -23,15 +23,15 @@ class FrameDriver {
         FrameRequest request;
         View view = View::Final;
         std::string techniqueView;  ///< of the technique's own, instead of `view`; empty for none
-        int shaders = 0;      ///< a number that changes with the programs
-        bool moving = false;  ///< it plays, or a mouse button is held
-        bool hurry = false;   ///< the full picture at once, whatever moves
-        bool once = false;    ///< no picture a second time, however much better it would become
+        int shaders = 0;            ///< a number that changes with the programs
+        bool moving = false;        ///< it plays, or a mouse button is held
+        bool hurry = false;         ///< the full picture at once, whatever moves
+        bool once = false;          ///< no picture a second time, however much better it would become
     };
 
     enum class State {
-        Nothing,    ///< nothing drawn yet
-        Drawing,    ///< some renders of brute force are still to come
+        Nothing,  ///< nothing drawn yet
+        Drawing,  ///< some renders of brute force are still to come
         Complete,
         Cancelled,  ///< the average of what had been drawn stays
         Failed,     ///< see failure()
@@ -43,7 +43,8 @@ class FrameDriver {
     /// Keeps what has been drawn of a brute-force picture, until something changes or resume() is called.
     void cancel();
     void resume();
-    /// Draws the full picture anew as the first of a sequence: before it the frames that a technique with a history needs.
+    /// Draws the full picture anew as the first of a sequence: before it the frames that a technique with a history
+    /// needs.
     void warmUp();
     /// Draws the full picture so many times more for its figures, unless something changes first.
     void measure(int pictures);
@@ -93,4 +94,4 @@ class FrameDriver {
     const gl::Texture* picture_ = nullptr;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -11,7 +11,7 @@ double median(std::vector<double> values) {
     const std::size_t middle = values.size() / 2;
     return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
-} // namespace
+}  // namespace
 
 void FrameTimes::add(const std::vector<gl::PassTimer::Reading>& readings) {
     if (readings.empty()) return;
@@ -38,4 +38,4 @@ double FrameTimes::medianTotal() const {
     return median(totals);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

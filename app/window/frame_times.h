@@ -26,4 +26,4 @@ class FrameTimes {
     std::deque<std::vector<gl::PassTimer::Reading>> frames_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

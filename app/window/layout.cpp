@@ -7,7 +7,7 @@ namespace timeshade {
 namespace {
 // In units of the text's scale.
 constexpr float sideWidth = 340.0f, transportHeight = 76.0f, leastPicture = 240.0f, leastPanel = 90.0f;
-} // namespace
+}  // namespace
 
 Layout layoutOf(ImVec2 window, float scale, bool panelsVisible) {
     Layout layout;
@@ -29,4 +29,4 @@ Layout layoutOf(ImVec2 window, float scale, bool panelsVisible) {
     return layout;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -18,4 +18,4 @@ struct Layout {
 
 Layout layoutOf(ImVec2 window, float scale, bool panelsVisible);
 
-} // namespace timeshade
+}  // namespace timeshade

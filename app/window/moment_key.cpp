@@ -4,7 +4,8 @@ namespace timeshade {
 
 std::vector<double> momentKeyOf(const FrameRequest& request) {
     const Shutter& shutter = request.shutter;
-    std::vector<double> key{request.frame, shutter.framesPerSecond, shutter.length, double(shutter.position), double(request.cameraIndex)};
+    std::vector<double> key{request.frame, shutter.framesPerSecond, shutter.length, double(shutter.position),
+                            double(request.cameraIndex)};
     if (!request.cameraPose) return key;
     const CameraPose& pose = *request.cameraPose;
     const auto append = [&](const glm::dvec3& v) { key.insert(key.end(), {v.x, v.y, v.z}); };
@@ -14,4 +15,4 @@ std::vector<double> momentKeyOf(const FrameRequest& request) {
     return key;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

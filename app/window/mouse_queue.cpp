@@ -27,4 +27,4 @@ MouseState MouseQueue::next() {
     return state_;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -35,4 +35,4 @@ class MouseQueue {
     MouseState state_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

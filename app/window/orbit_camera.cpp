@@ -10,7 +10,9 @@ namespace timeshade {
 namespace {
 constexpr double steepestPitch = 1.55;  // radians: a little short of straight up, where yaw loses its meaning
 
-glm::dmat3 turnAround(const glm::dvec3& axis, double angle) { return glm::dmat3(glm::rotate(glm::dmat4(1.0), angle, axis)); }
+glm::dmat3 turnAround(const glm::dvec3& axis, double angle) {
+    return glm::dmat3(glm::rotate(glm::dmat4(1.0), angle, axis));
+}
 
 /// Rounding of many small turns would otherwise shear the axes.
 glm::dmat3 orthonormal(const glm::dmat3& axes) {
@@ -18,7 +20,7 @@ glm::dmat3 orthonormal(const glm::dmat3& axes) {
     const glm::dvec3 right = glm::normalize(glm::cross(axes[1], back));
     return {right, glm::cross(back, right), back};
 }
-} // namespace
+}  // namespace
 
 OrbitCamera::OrbitCamera(const CameraPose& pose, const Bounds& bounds) : pose_(pose), nearDistance_(pose.nearDistance) {
     const double size = std::max(bounds.diagonal(), 1e-9);
@@ -52,4 +54,4 @@ void OrbitCamera::place() {
     pose_.nearDistance = std::min(nearDistance_, 0.05 * distance_);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

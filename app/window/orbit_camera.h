@@ -41,4 +41,4 @@ struct SavedView {
     OrbitCamera camera;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,5 +1,6 @@
 #include "window/page_pictures.h"
 
+#include <timeshade/paths.h>
 #include <filesystem>
 
 #include "image/image_file.h"
@@ -12,7 +13,8 @@ const gl::Texture* PagePictures::of(const std::string& technique) {
     std::optional<gl::Texture>& picture = entry->second;
     if (isNew) {
         try {
-            upload(picture, readPng(std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "assets" / "pages" / (technique + ".png")));
+            upload(picture, readPng(std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "assets" / "pages" /
+                                    (technique + ".png")));
             picture->setFilters(GL_LINEAR, GL_LINEAR);
         } catch (const std::exception&) {
             picture.reset();  // the page says the same in words
@@ -21,4 +23,4 @@ const gl::Texture* PagePictures::of(const std::string& technique) {
     return picture ? &*picture : nullptr;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

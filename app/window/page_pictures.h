@@ -18,4 +18,4 @@ class PagePictures {
     std::map<std::string, std::optional<gl::Texture>> pictures_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -22,13 +22,14 @@ DisplayImage squareAround(const DisplayImage& picture, int x0, int y0, int side)
         for (int i = 0; i < side; ++i) {
             const int x = x0 - side / 2 + i, y = y0 - side / 2 + j;
             if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
-            std::copy_n(picture.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * picture.width + x), 3, square.rgb.begin() + 3 * (j * side + i));
+            std::copy_n(picture.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * picture.width + x), 3,
+                        square.rgb.begin() + 3 * (j * side + i));
         }
     }
     return square;
 }
 
-} // namespace
+}  // namespace
 
 double PixelProbe::Row::mean() const {
     double sum = 0.0;
@@ -57,7 +58,8 @@ void PixelProbe::clear() {
 
 bool PixelProbe::update(Session& session) {
     const FrameDriver& driver = session.driver;
-    const bool still = driver.settled() && driver.state() == FrameDriver::State::Complete && !driver.preview() && !session.playback.playing();
+    const bool still = driver.settled() && driver.state() == FrameDriver::State::Complete && !driver.preview() &&
+                       !session.playback.playing();
     if (!on_ || !still) return false;
     const FrameRequest& drawn = session.renderer.plan().request;
     if (x_ >= drawn.width || y_ >= drawn.height) return false;  // the window has become smaller
@@ -79,7 +81,8 @@ std::vector<float> PixelProbe::litOf(const FrameRenderer& renderer) const {
     const FrameRequest& drawn = renderer.plan().request;
     const std::vector<float> all = renderer.readVisibility();
     const auto layer = static_cast<std::size_t>(drawn.width) * static_cast<std::size_t>(drawn.height);
-    const auto place = static_cast<std::size_t>(drawn.height - 1 - y_) * static_cast<std::size_t>(drawn.width) + static_cast<std::size_t>(x_);
+    const auto place = static_cast<std::size_t>(drawn.height - 1 - y_) * static_cast<std::size_t>(drawn.width) +
+                       static_cast<std::size_t>(x_);
     std::vector<float> lit;
     for (std::size_t at = place; at < all.size(); at += layer) lit.push_back(all[at]);
     return lit;
@@ -92,7 +95,8 @@ void PixelProbe::begin(Session& session) {
     rows_.clear();
     upload(square_, squareAround(session.renderer.readPicture(), x_, y_, side));
     square_->setFilters(GL_NEAREST, GL_NEAREST);
-    if (session.renderer.renders() == 1) rows_.push_back({session.technique->description().name, litOf(session.renderer)});
+    if (session.renderer.renders() == 1)
+        rows_.push_back({session.technique->description().name, litOf(session.renderer)});
     caption_ = "asking the other techniques";
 }
 
@@ -106,7 +110,8 @@ void PixelProbe::askNext(Session& session) {
         chosen.technique = name;
         const std::unique_ptr<Technique> technique = techniqueFor(chosen, renderer_->programs());
         // Brute force looks from one instant after the other and has no answer of its own for a camera sample.
-        if (name == session.technique->description().name || technique->renders() > 1 || technique->unsupported(plan)) continue;
+        if (name == session.technique->description().name || technique->renders() > 1 || technique->unsupported(plan))
+            continue;
         drawWarmUp(*renderer_, *session.planner, *technique, plan.request, View::Visibility);
         renderer_->draw(plan, *technique, View::Visibility);
         renderer_->timer().finishFrame();
@@ -114,10 +119,10 @@ void PixelProbe::askNext(Session& session) {
         caption_ = "asking " + (next_ < all.size() ? all[next_].name : std::string("the ray tracer"));
         return;
     }
-    askTruth(session);
+    traceTruth(session);
 }
 
-void PixelProbe::askTruth(const Session& session) {
+void PixelProbe::traceTruth(const Session& session) {
     complete_ = true;
     caption_.clear();
     if (session.renderer.renders() > 1 && rows_.empty()) return;
@@ -126,12 +131,14 @@ void PixelProbe::askTruth(const Session& session) {
     const std::vector<std::uint32_t> ids = drawn.readSampleIds();
     const FrameRequest& request = plan.request;
     const auto layer = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
-    const auto place = static_cast<std::size_t>(request.height - 1 - y_) * static_cast<std::size_t>(request.width) + static_cast<std::size_t>(x_);
+    const auto place = static_cast<std::size_t>(request.height - 1 - y_) * static_cast<std::size_t>(request.width) +
+                       static_cast<std::size_t>(x_);
     const Oracle oracle(plan);
     Row truth{"truth", {}};
     for (int k = 0; k < request.samplesPerPixel; ++k) {
         const std::uint32_t id = ids[place + static_cast<std::size_t>(k) * layer];
-        const SampleIndex index{static_cast<std::uint32_t>(x_), static_cast<std::uint32_t>(request.height - 1 - y_), static_cast<std::uint32_t>(k)};
+        const SampleIndex index{static_cast<std::uint32_t>(x_), static_cast<std::uint32_t>(request.height - 1 - y_),
+                                static_cast<std::uint32_t>(k)};
         const OracleAnswer answer = id == NO_TRIANGLE ? OracleAnswer{} : oracle.rule(plan, index, id);
         truth.lit.push_back(answer.hit && answer.tested ? (answer.lit ? 1.0f : 0.0f) : -1.0f);
     }
@@ -142,4 +149,4 @@ void PixelProbe::askTruth(const Session& session) {
     rows_.insert(rows_.begin(), std::move(truth));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

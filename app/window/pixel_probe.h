@@ -12,14 +12,15 @@ namespace timeshade {
 
 struct Session;
 
-/// One pixel under a magnifier: its surroundings, and what each technique and the ray-traced truth say of its camera samples,
-/// along the shutter.
+/// One pixel under a magnifier: its surroundings, and what each technique and the ray-traced truth say of its camera
+/// samples, along the shutter.
 class PixelProbe {
   public:
     static constexpr int side = 17;  ///< pixels of the magnified square
 
-    /// What one of them says: lit of each camera sample, from the first stratum of the shutter to the last; negative where the truth
-    /// does not ask (nothing is seen, or a surface that faces away from the light or lies outside its cone).
+    /// What one of them says: lit of each camera sample, from the first stratum of the shutter to the last; negative
+    /// where the truth does not ask (nothing is seen, or a surface that faces away from the light or lies outside its
+    /// cone).
     struct Row {
         std::string name;
         std::vector<float> lit;
@@ -33,8 +34,8 @@ class PixelProbe {
     int x() const { return x_; }
     int y() const { return y_; }
 
-    /// Does a step once the picture is still: the picture's own answers, then one other technique after the other, then the truth.
-    /// True if the window has to be drawn again.
+    /// Does a step once the picture is still: the picture's own answers, then one other technique after the other, then
+    /// the truth. True if the window has to be drawn again.
     bool update(Session& session);
 
     /// The square around the pixel, first row uppermost; null until it has been read.
@@ -47,17 +48,17 @@ class PixelProbe {
   private:
     void begin(Session& session);
     void askNext(Session& session);
-    void askTruth(const Session& session);
+    void traceTruth(const Session& session);
     std::vector<float> litOf(const FrameRenderer& renderer) const;
 
     bool on_ = false, complete_ = false;
     int x_ = 0, y_ = 0;
-    int of_ = -1;           ///< number of the picture that is magnified
-    std::size_t next_ = 0;  ///< technique of the registry
+    int of_ = -1;                            ///< number of the picture that is magnified
+    std::size_t next_ = 0;                   ///< technique of the registry
     std::optional<FrameRenderer> renderer_;  ///< made when first needed
     std::optional<gl::Texture> square_;
     std::vector<Row> rows_;
     std::string caption_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

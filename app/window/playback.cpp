@@ -7,7 +7,8 @@ namespace timeshade {
 
 void Playback::setLoop(double duration, double framesPerSecond) {
     framesPerSecond_ = framesPerSecond;
-    // A loop that ends on a whole frame shows that frame as frame 0; the tolerance is for durations in single precision.
+    // A loop that ends on a whole frame shows that frame as frame 0; the tolerance is for durations in single
+    // precision.
     const int frames = static_cast<int>(std::clamp(std::ceil(duration * framesPerSecond - 1e-3), 1.0, 1e6));
     if (frames != loopFrames_ || last_ == 0) setPart(0, frames - 1);
     loopFrames_ = frames;
@@ -45,4 +46,4 @@ int Playback::frameInLoop() const {
     return std::clamp(static_cast<int>(within), 0, loopFrames_ - 1);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -42,4 +42,4 @@ class Playback {
     bool playing_ = false;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

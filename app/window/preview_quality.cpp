@@ -28,7 +28,7 @@ int stepFor(double milliseconds) {
     if (milliseconds > 2.0 * PreviewQuality::slowMilliseconds) return 2;
     return 1;
 }
-} // namespace
+}  // namespace
 
 FrameRequest PreviewQuality::reduced(FrameRequest full, int level) const {
     const Level& l = ladder[static_cast<std::size_t>(level)];
@@ -64,4 +64,4 @@ void PreviewQuality::measured(int level, double milliseconds) {
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

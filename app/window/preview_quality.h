@@ -31,4 +31,4 @@ class PreviewQuality {
     std::array<std::optional<double>, levels> cost_{};
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -18,20 +18,25 @@ DisplayImage cropped(const DisplayImage& picture, int width, int height) {
     DisplayImage result{width, height, {}};
     result.rgb.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
     for (int y = 0; y < height; ++y)
-        std::copy_n(picture.rgb.begin() + static_cast<std::ptrdiff_t>(y) * picture.width * 3, width * 3, result.rgb.begin() + static_cast<std::ptrdiff_t>(y) * width * 3);
+        std::copy_n(picture.rgb.begin() + static_cast<std::ptrdiff_t>(y) * picture.width * 3, width * 3,
+                    result.rgb.begin() + static_cast<std::ptrdiff_t>(y) * width * 3);
     return result;
 }
 
 bool whole(const Session& session) {
     if (session.comparison.on()) return session.comparison.settled(session);
-    return session.driver.settled() && session.driver.state() == FrameDriver::State::Complete && !session.driver.preview();
+    return session.driver.settled() && session.driver.state() == FrameDriver::State::Complete &&
+           !session.driver.preview();
 }
 
-} // namespace
+}  // namespace
 
 void Recording::start(Session& session) {
     const std::filesystem::path name = std::filesystem::path(session.sceneName).stem();
-    path_ = std::filesystem::absolute(fmt::format("timeshade-{}-{}.mp4", name.string(), session.technique->description().name)).lexically_normal().string();
+    path_ = std::filesystem::absolute(
+                fmt::format("timeshade-{}-{}.mp4", name.string(), session.technique->description().name))
+                .lexically_normal()
+                .string();
     VideoFormat format;
     format.width = width_ = session.request.width & ~1;
     format.height = height_ = session.request.height & ~1;
@@ -68,7 +73,8 @@ bool Recording::update(Session& session) {
     }
     if (!whole(session)) return true;
     try {
-        const DisplayImage picture = session.comparison.on() ? session.comparison.composedPicture(session) : session.renderer.readPicture();
+        const DisplayImage picture =
+            session.comparison.on() ? session.comparison.composedPicture(session) : session.renderer.readPicture();
         if ((picture.width & ~1) != width_ || (picture.height & ~1) != height_) {
             stop(session);
             session.notify(fmt::format("The picture's size has changed: {} frames were recorded.", frames_), true);
@@ -88,4 +94,4 @@ void Recording::fail(Session& session, const std::string& why) {
     session.notify(why, true);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -9,8 +9,8 @@ namespace timeshade {
 
 struct Session;
 
-/// The window's own recording: every frame of the playback drawn whole, one after the other, from the one that is shown when it
-/// begins, with what `record` draws before that. How long a frame takes makes no difference.
+/// The window's own recording: every frame of the playback drawn whole, one after the other, from the one that is shown
+/// when it begins, with what `record` draws before that. How long a frame takes makes no difference.
 class Recording {
   public:
     bool on() const { return sink_ != nullptr; }
@@ -19,11 +19,13 @@ class Recording {
     /// The last one that was finished; empty if there is none.
     const std::string& lastPath() const { return lastPath_; }
 
-    /// Into "timeshade-SCENE-TECHNIQUE.mp4", at the picture's size (made even) and the playback's rate. Says what is wrong as a notice.
+    /// Into "timeshade-SCENE-TECHNIQUE.mp4", at the picture's size (made even) and the playback's rate. Says what is
+    /// wrong as a notice.
     void start(Session& session);
     /// Closes the file.
     void stop(Session& session);
-    /// To be called when the picture may be whole: takes it and goes a frame on. True if the window has to be drawn again.
+    /// To be called when the picture may be whole: takes it and goes a frame on. True if the window has to be drawn
+    /// again.
     bool update(Session& session);
 
   private:
@@ -35,4 +37,4 @@ class Recording {
     int frames_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

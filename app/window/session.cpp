@@ -7,18 +7,23 @@
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "frame_setup.h"
 #include "measure/technique_variant.h"
 #include "options_text.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
 
 Session::Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName)
-    : options(givenOptions), backEnd(std::move(backEndName)), driver(renderer), technique(techniqueFor(options, renderer.programs())),
-      view(options.view), techniqueView(options.techniqueView), diagnostic(options.diagnostic) {
+    : options(givenOptions),
+      backEnd(std::move(backEndName)),
+      driver(renderer),
+      technique(techniqueFor(options, renderer.programs())),
+      view(options.view),
+      techniqueView(options.techniqueView),
+      diagnostic(options.diagnostic) {
     adoptComparison();
     adopt(std::move(firstScene), options.scene);
 }
@@ -30,7 +35,7 @@ void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
     instant = options.instant;
     planner.reset();
     scene = std::move(newScene);
-    recipe = keptRecipe(name);
+    recipe = cachedRecipe(name);
     planner = std::make_unique<FramePlanner>(*scene);
     sceneName = name;
     ++sceneNumber;
@@ -54,7 +59,7 @@ void Session::remember(const std::string& name) {
     recentScenes.resize(std::min<std::size_t>(recentScenes.size(), 8));
 }
 
-SceneRecipe* Session::keptRecipe(const std::string& name) {
+SceneRecipe* Session::cachedRecipe(const std::string& name) {
     std::unique_ptr<SceneRecipe>& kept = recipes_[name];
     if (!kept) kept = recipeFor(name, options.settings);
     return kept.get();
@@ -72,7 +77,7 @@ void Session::rebuild() {
 
 void Session::openWished(const std::string& name) {
     try {
-        SceneRecipe* computed = keptRecipe(name);
+        SceneRecipe* computed = cachedRecipe(name);
         std::unique_ptr<Scene> opened = computed != nullptr ? computed->make() : openScene(name, "");
         // The next scene gets its own time, shutter and cameras; what is about the picture stays as it is.
         options.camera.clear();
@@ -137,8 +142,8 @@ void Session::become(const Options& wanted) {
     options.command = before.command;
     options.context = before.context;
     technique = std::move(made);
-    figures_.clear();
-    keptSettings.clear();
+    statistics_.clear();
+    cachedSettings.clear();
     recipe = nullptr;
     recipes_.clear();
     view = options.view;
@@ -182,12 +187,14 @@ void Session::compareWished() {
     wishedComparison.reset();
 }
 
-void Session::addKeptSettings(SettingTexts& settings) {
+void Session::addCachedSettings(SettingTexts& settings) {
     // Those that were never touched in this window are still as the options say.
-    const auto taken = [&](const std::string& name) { return std::any_of(settings.begin(), settings.end(), [&](const auto& s) { return s.first == name; }); };
+    const auto taken = [&](const std::string& name) {
+        return std::any_of(settings.begin(), settings.end(), [&](const auto& s) { return s.first == name; });
+    };
     const auto isOf = [](const std::string& name, const std::string& owner) { return name.starts_with(owner + "."); };
     SettingTexts others;
-    for (const auto& [name, values] : keptSettings) {
+    for (const auto& [name, values] : cachedSettings) {
         if (name == technique->description().name) continue;
         const std::unique_ptr<Technique> other = makeTechnique(name, renderer.programs());
         std::vector<Setting> all = settingsOf(*other);
@@ -198,9 +205,11 @@ void Session::addKeptSettings(SettingTexts& settings) {
     }
     for (const auto& [name, other] : recipes_)
         if (other && other.get() != recipe)
-            for (const Setting& setting : settingsOf(*other)) others.emplace_back(name + "." + setting.key, textOf(setting));
+            for (const Setting& setting : settingsOf(*other))
+                others.emplace_back(name + "." + setting.key, textOf(setting));
     for (const auto& [name, value] : options.settings) {
-        const bool shown = isOf(name, technique->description().name) || (recipe != nullptr && isOf(name, recipe->settingsPrefix()));
+        const bool shown =
+            isOf(name, technique->description().name) || (recipe != nullptr && isOf(name, recipe->settingsPrefix()));
         const bool newer = std::any_of(others.begin(), others.end(), [&](const auto& s) { return s.first == name; });
         if (!shown && !newer && !taken(name)) settings.emplace_back(name, value);
     }
@@ -209,15 +218,15 @@ void Session::addKeptSettings(SettingTexts& settings) {
 
 void Session::chooseWished(const std::string& name) {
     if (name == technique->description().name) return;
-    std::vector<double>& kept = keptSettings[technique->description().name];
+    std::vector<double>& kept = cachedSettings[technique->description().name];
     kept.clear();
     for (const Setting& setting : settingsOf(*technique)) kept.push_back(setting.get());
     Options chosen = options;
     chosen.technique = name;
     technique = techniqueFor(chosen, renderer.programs());
-    figures_.clear();
-    const auto known = keptSettings.find(name);
-    if (known == keptSettings.end()) return;
+    statistics_.clear();
+    const auto known = cachedSettings.find(name);
+    if (known == cachedSettings.end()) return;
     std::vector<Setting> settings = settingsOf(*technique);
     for (std::size_t i = 0; i < std::min(settings.size(), known->second.size()); ++i) settings[i].set(known->second[i]);
 }
@@ -257,7 +266,16 @@ FrameDriver::Wanted Session::wanted(bool mouseHeld) {
     // Another technique, or another setting of it, may not have the view.
     if (std::find(names.begin(), names.end(), viewName()) == names.end()) techniqueView.clear();
     const FrameRequest drawn = instant ? atInstant(request, *instant) : request;
-    return {planner.get(), technique.get(), sceneNumber, drawn, view, techniqueView, shaderNumber, playback.playing() || mouseHeld, wishedScreenshot || recording.on(), recording.on()};
+    return {planner.get(),
+            technique.get(),
+            sceneNumber,
+            drawn,
+            view,
+            techniqueView,
+            shaderNumber,
+            playback.playing() || mouseHeld,
+            wishedScreenshot || recording.on(),
+            recording.on()};
 }
 
 CameraPose Session::currentPose() const {
@@ -286,12 +304,12 @@ void Session::showView(const std::string& name) {
     techniqueView = name == "final" || name == "visibility" ? "" : name;
 }
 
-const std::vector<TechniqueFigure>& Session::figures() {
-    if (driver.state() == FrameDriver::State::Complete && driver.hasPlan() && figuresOf_ != driver.begun()) {
-        figures_ = technique->figures();
-        figuresOf_ = driver.begun();
+const std::vector<TechniqueStatistic>& Session::statistics() {
+    if (driver.state() == FrameDriver::State::Complete && driver.hasPlan() && statisticsOf_ != driver.begun()) {
+        statistics_ = technique->statistics();
+        statisticsOf_ = driver.begun();
     }
-    return figures_;
+    return statistics_;
 }
 
 void Session::useSceneCamera(std::size_t index) {
@@ -311,8 +329,9 @@ std::string Session::screenshotName() const {
     for (char& c : name)
         if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20) c = '_';
     const double frame = playback.frame();
-    const std::string number = frame == std::floor(frame) && frame >= 0.0 ? fmt::format("{:04.0f}", frame) : fmt::format("{:g}", frame);
+    const std::string number =
+        frame == std::floor(frame) && frame >= 0.0 ? fmt::format("{:04.0f}", frame) : fmt::format("{:g}", frame);
     return fmt::format("timeshade-{}-{}-{}.png", name, technique->description().name, number);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

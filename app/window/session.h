@@ -12,7 +12,7 @@
 #include "scene/scene.h"
 #include "scene_catalogue.h"
 #include "scenes/scene_recipe.h"
-#include "techniques/technique.h"
+#include "technique/technique.h"
 #include "window/accuracy.h"
 #include "window/comparison.h"
 #include "window/diagnostic_picture.h"
@@ -41,12 +41,13 @@ struct Session {
 
     /// Does what was asked for since the last frame.
     void applyWishes();
-    /// Builds all shader programs anew; what is wrong with some of them stands in shaderLog, and the last good ones stay.
+    /// Builds all shader programs anew; what is wrong with some of them stands in shaderLog, and the last good ones
+    /// stay.
     void reloadShaders();
     /// Opens what the options say, as at a start. Throws and stays as it is where that can't be.
     void become(const Options& wanted);
     /// Settings of techniques and scenes that are not shown now, where they are not at their defaults.
-    void addKeptSettings(SettingTexts& settings);
+    void addCachedSettings(SettingTexts& settings);
     /// Moves the clock on. `now` in seconds.
     void advance(double now);
     FrameDriver::Wanted wanted(bool mouseHeld);
@@ -60,9 +61,9 @@ struct Session {
     /// Ends a comparing view, too.
     void showView(const std::string& name);
     /// What the technique counted in the picture that is shown; empty while it is being drawn.
-    const std::vector<TechniqueFigure>& figures();
+    const std::vector<TechniqueStatistic>& statistics();
     /// Another object stands in for the technique.
-    void techniqueChanged() { figures_.clear(); }
+    void techniqueChanged() { statistics_.clear(); }
     void useSceneCamera(std::size_t index);
     /// Puts a scene that is a file in front of the recent ones.
     void remember(const std::string& name);
@@ -82,15 +83,15 @@ struct Session {
     std::unique_ptr<FramePlanner> planner;
     int sceneNumber = 0;
     ShaderWatch shaderWatch;
-    std::vector<std::string> shaderLog;  ///< empty while all programs are as their files say
-    int shaderNumber = 0;                ///< changes with the programs
+    std::vector<std::string> shaderLog;                    ///< empty while all programs are as their files say
+    int shaderNumber = 0;                                  ///< changes with the programs
     std::string settingsPath = "timeshade-settings.json";  ///< what is typed in the field of settings files
-    std::vector<std::string> recentScenes;  ///< absolute paths of files that were opened, the last first
-    std::string scenePath;   ///< what is typed in the field
-    std::string sceneError;  ///< one line, why the last one could not be opened
+    std::vector<std::string> recentScenes;                 ///< absolute paths of files that were opened, the last first
+    std::string scenePath;                                 ///< what is typed in the field
+    std::string sceneError;                                ///< one line, why the last one could not be opened
 
     std::unique_ptr<Technique> technique;
-    std::map<std::string, std::vector<double>> keptSettings;  ///< of techniques that are not chosen now
+    std::map<std::string, std::vector<double>> cachedSettings;  ///< of techniques that are not chosen now
 
     FrameRequest request;  ///< width and height are those of the picture's place in the window
     View view = View::Final;
@@ -113,22 +114,23 @@ struct Session {
 
     std::optional<std::string> wishedScene, wishedTechnique;
     std::optional<std::string> wishedClip;  ///< of the scene that is shown
-    bool wishedRebuild = false;  ///< the recipe's settings have changed
+    bool wishedRebuild = false;             ///< the recipe's settings have changed
     bool wishedScreenshot = false;
-    bool wishedRecording = false;  ///< start or stop
-    bool wishedExr = false;  ///< the picture is to be saved as EXR
-    bool wishedSave = false;     ///< of the settings
-    bool wishedCommand = false;  ///< the command line into the clipboard
+    bool wishedRecording = false;           ///< start or stop
+    bool wishedExr = false;                 ///< the picture is to be saved as EXR
+    bool wishedSave = false;                ///< of the settings
+    bool wishedCommand = false;             ///< the command line into the clipboard
     std::optional<std::string> wishedLoad;  ///< path of a settings file
     std::string lastCommand;
     std::optional<std::string> wishedComparison;  ///< a technique to compare with; empty for none
-    bool wishedPin = false;   ///< compare with a copy of the technique as it is set now
-    bool wishedSwap = false;  ///< exchange the techniques that are compared
+    bool wishedPin = false;                       ///< compare with a copy of the technique as it is set now
+    bool wishedSwap = false;                      ///< exchange the techniques that are compared
     bool panelsVisible = true;
     bool keysVisible = false;
     bool pageVisible = false;  ///< of the technique
     PagePictures pagePictures;
-    std::map<std::string, bool> sections;  ///< of the side panel: unfolded or not, where that is not as at a first start
+    std::map<std::string, bool>
+        sections;            ///< of the side panel: unfolded or not, where that is not as at a first start
     double textScale = 1.0;  ///< the user's own, on top of the display's
     std::string lastScreenshot;
     int screenshots = 0;  ///< saved so far
@@ -142,15 +144,16 @@ struct Session {
     /// Samples, map and all else that the next scene is to be drawn with, too, into the options.
     void keepPicture();
     void rebuild();
-    SceneRecipe* keptRecipe(const std::string& name);
+    SceneRecipe* cachedRecipe(const std::string& name);
     void chooseWished(const std::string& name);
     void compareWished();
     /// Makes the comparison, if any, what the options say.
     void adoptComparison();
 
-    std::vector<TechniqueFigure> figures_;
-    int figuresOf_ = 0;  ///< the picture that they belong to, by its number
-    std::map<std::string, std::unique_ptr<SceneRecipe>> recipes_;  ///< of all computed scenes opened so far, as they were left
+    std::vector<TechniqueStatistic> statistics_;
+    int statisticsOf_ = 0;  ///< the picture that they belong to, by its number
+    std::map<std::string, std::unique_ptr<SceneRecipe>>
+        recipes_;  ///< of all computed scenes opened so far, as they were left
 };
 
-} // namespace timeshade
+}  // namespace timeshade

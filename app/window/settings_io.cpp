@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "frame_setup.h"
 #include "image/image_file.h"
 #include "options_text.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 #include "settings_file.h"
 #include "techniques/registry.h"
@@ -29,7 +29,8 @@ std::string windowState(const Session& session) {
     nlohmann::ordered_json json;
     json["text_size"] = session.textScale;
     json["panels"] = session.panelsVisible;
-    for (const SavedView& view : session.savedViews) json["views"].push_back({{"name", view.name}, {"pose", textOf(view.camera.pose())}});
+    for (const SavedView& view : session.savedViews)
+        json["views"].push_back({{"name", view.name}, {"pose", textOf(view.camera.pose())}});
     return json.dump();
 }
 
@@ -51,16 +52,20 @@ WindowState windowStateOf(const std::string& text, const std::string& path) {
             state.panels = value.get<bool>();
         } else if (key == "views" && value.is_array()) {
             for (const nlohmann::json& view : value)
-                if (view.is_object() && view.contains("name") && view["name"].is_string() && view.contains("pose") && view["pose"].is_string())
-                    state.views.emplace_back(view["name"].get<std::string>(), poseFromText(view["pose"].get<std::string>()));
+                if (view.is_object() && view.contains("name") && view["name"].is_string() && view.contains("pose") &&
+                    view["pose"].is_string())
+                    state.views.emplace_back(view["name"].get<std::string>(),
+                                             poseFromText(view["pose"].get<std::string>()));
         } else {
-            throw Error(fmt::format("{}: \"window\" holds \"{}\": {}; expected text_size from 0.75 to 2.5, panels or views", path, key, value.dump()));
+            throw Error(
+                fmt::format("{}: \"window\" holds \"{}\": {}; expected text_size from 0.75 to 2.5, panels or views",
+                            path, key, value.dump()));
         }
     }
     return state;
 }
 
-} // namespace
+}  // namespace
 
 Options pictureOptions(Session& session) {
     const FrameRequest& request = session.request;
@@ -104,13 +109,14 @@ std::string commandOf(Session& session) {
     const std::filesystem::path scene(session.sceneName);
     Options options = pictureOptions(session);
     // A path is meant from where the window was started, and is to hold elsewhere too.
-    if (scene.has_extension() && std::filesystem::exists(scene)) options.scene = std::filesystem::absolute(scene).lexically_normal().string();
+    if (scene.has_extension() && std::filesystem::exists(scene))
+        options.scene = std::filesystem::absolute(scene).lexically_normal().string();
     return shotCommand(options, session.screenshotName());
 }
 
 void saveSettings(Session& session, const std::string& path) {
     Options options = pictureOptions(session);
-    session.addKeptSettings(options.settings);
+    session.addCachedSettings(options.settings);
     const std::string text = settingsJson(options, windowState(session));
     writeFileAtomically(path, text);
 }
@@ -122,7 +128,8 @@ void loadSettings(Session& session, const std::string& path) {
     session.become(parseWithSettings({"view"}, settings));
     session.textScale = state.textScale;
     session.panelsVisible = state.panels;
-    for (const auto& [name, pose] : state.views) session.savedViews.push_back({name, OrbitCamera(pose, session.scene->bounds())});
+    for (const auto& [name, pose] : state.views)
+        session.savedViews.push_back({name, OrbitCamera(pose, session.scene->bounds())});
 }
 
-} // namespace timeshade
+}  // namespace timeshade

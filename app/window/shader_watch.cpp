@@ -23,7 +23,7 @@ std::map<std::filesystem::path, std::filesystem::file_time_type> timesOfShaders(
     return times;
 }
 
-} // namespace
+}  // namespace
 
 ShaderWatch::ShaderWatch() : times_(timesOfShaders()) {}
 
@@ -36,4 +36,4 @@ bool ShaderWatch::changed(double now) {
     return true;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

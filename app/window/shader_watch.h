@@ -17,4 +17,4 @@ class ShaderWatch {
     double lastLook_ = -1e9;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

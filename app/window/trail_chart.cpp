@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "measure/chart_layout.h"
+#include "chart/chart_layout.h"
 #include "window/accuracy.h"
 #include "window/display_texture.h"
 
@@ -14,7 +14,8 @@ namespace {
 
 /// Points of one curve differ in nothing but their effort.
 bool onOneCurve(const ProbeSubject& a, const ProbeSubject& b) {
-    return a.technique == b.technique && a.mapSize == b.mapSize && (a.settings == b.settings || effortLabel(a).back() == 'x');
+    return a.technique == b.technique && a.mapSize == b.mapSize &&
+           (a.settings == b.settings || sampleCountLabel(a).back() == 'x');
 }
 
 std::string nameOf(const std::vector<std::vector<const ProbePoint*>>& curves, const ProbeSubject& subject) {
@@ -23,7 +24,7 @@ std::string nameOf(const std::vector<std::vector<const ProbePoint*>>& curves, co
     return alike == 0 ? subject.technique : fmt::format("{} ({})", subject.technique, alike + 1);
 }
 
-} // namespace
+}  // namespace
 
 Chart trailChart(const std::vector<ProbePoint>& trail, bool softwareRenderer) {
     Chart chart;
@@ -43,15 +44,16 @@ Chart trailChart(const std::vector<ProbePoint>& trail, bool softwareRenderer) {
     for (std::size_t i = 0; i < curves.size(); ++i) {
         // More effort is more time, but for noise; the labels' numbers are the order that was meant.
         std::sort(curves[i].begin(), curves[i].end(), [](const ProbePoint* a, const ProbePoint* b) {
-            return std::stoi(effortLabel(a->subject)) < std::stoi(effortLabel(b->subject));
+            return std::stoi(sampleCountLabel(a->subject)) < std::stoi(sampleCountLabel(b->subject));
         });
-        for (const ProbePoint* point : curves[i]) chart.series[i].points.push_back({point->milliseconds, point->rmse, effortLabel(point->subject)});
+        for (const ProbePoint* point : curves[i])
+            chart.series[i].points.push_back({point->milliseconds, point->rmse, sampleCountLabel(point->subject)});
     }
     return chart;
 }
 
-void TrailChart::update(const std::vector<ProbePoint>& trail, const ProbePoint* current, int revision, int width, int height, double scale,
-                        bool softwareRenderer) {
+void TrailChart::update(const std::vector<ProbePoint>& trail, const ProbePoint* current, int revision, int width,
+                        int height, double scale, bool softwareRenderer) {
     const bool fits = texture_ && texture_->width() == width && texture_->height() == height && scale == scale_;
     if (fits && revision == revision_) return;
     const Chart chart = trailChart(trail, softwareRenderer);
@@ -66,4 +68,4 @@ void TrailChart::update(const std::vector<ProbePoint>& trail, const ProbePoint* 
     scale_ = scale;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

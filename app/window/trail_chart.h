@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "chart/chart.h"
+#include "chart/chart_geometry.h"
 #include "gl/texture.h"
-#include "measure/chart.h"
-#include "measure/chart_geometry.h"
 #include "window/accuracy_probe.h"
 
 namespace timeshade {
@@ -16,8 +16,10 @@ Chart trailChart(const std::vector<ProbePoint>& trail, bool softwareRenderer);
 /// The chart as a texture, drawn anew only when it changes.
 class TrailChart {
   public:
-    /// `revision` changes with the trail and with `current`, which is null or points into it. Throws Error as drawChart.
-    void update(const std::vector<ProbePoint>& trail, const ProbePoint* current, int revision, int width, int height, double scale, bool softwareRenderer);
+    /// `revision` changes with the trail and with `current`, which is null or points into it. Throws Error as
+    /// drawChart.
+    void update(const std::vector<ProbePoint>& trail, const ProbePoint* current, int revision, int width, int height,
+                double scale, bool softwareRenderer);
 
     const gl::Texture* picture() const { return texture_ ? &*texture_ : nullptr; }
     /// Where the current point lies, in the chart's pixels from its upper left corner.
@@ -30,4 +32,4 @@ class TrailChart {
     double scale_ = 0.0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -41,4 +41,4 @@ void UiDump::endFrame() {
     written_ = std::move(text);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

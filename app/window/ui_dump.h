@@ -27,4 +27,4 @@ class UiDump {
     std::string written_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -27,7 +27,8 @@ float displayScale(GLFWwindow* window) {
     if (const char* text = std::getenv("TIMESHADE_UI_SCALE")) {
         char* end = nullptr;
         const float forced = std::strtof(text, &end);
-        if (end != text && *end == '\0' && std::isfinite(forced) && forced > 0.0f) return std::clamp(forced, 0.5f, 4.0f);
+        if (end != text && *end == '\0' && std::isfinite(forced) && forced > 0.0f)
+            return std::clamp(forced, 0.5f, 4.0f);
     }
     float x = 1.0f, y = 1.0f;
     glfwGetWindowContentScale(window, &x, &y);
@@ -35,8 +36,9 @@ float displayScale(GLFWwindow* window) {
     return std::isfinite(scale) && scale > 0.0f ? std::clamp(scale, 0.75f, 4.0f) : 1.0f;
 }
 
-/// Where the framebuffer is denser than the window's coordinates (macOS, Wayland), the display's scale is already in it.
-/// The two sizes are asked for one after the other: while the window is being resized they need not belong together.
+/// Where the framebuffer is denser than the window's coordinates (macOS, Wayland), the display's scale is already in
+/// it. The two sizes are asked for one after the other: while the window is being resized they need not belong
+/// together.
 float framebufferScale(GLFWwindow* window, float before) {
     int width = 0, height = 0, pixelWidth = 0, pixelHeight = 0;
     glfwGetWindowSize(window, &width, &height);
@@ -48,7 +50,7 @@ float framebufferScale(GLFWwindow* window, float before) {
     return plausible ? x : before;
 }
 
-} // namespace
+}  // namespace
 
 UiWindow::UiWindow(GLFWwindow* window) : window_(window), events_(window) {
     IMGUI_CHECKVERSION();
@@ -66,11 +68,13 @@ UiWindow::~UiWindow() {
 }
 
 void UiWindow::rebuildFonts() {
-    static constexpr std::array<ImWchar, 13> ranges{0x20, 0x24f, 0x370, 0x3ff, 0x400, 0x52f, 0x2010, 0x205e, 0x2190, 0x21ff, 0x25a0, 0x25ff, 0};
+    static constexpr std::array<ImWchar, 13> ranges{0x20,   0x24f,  0x370,  0x3ff,  0x400,  0x52f, 0x2010,
+                                                    0x205e, 0x2190, 0x21ff, 0x25a0, 0x25ff, 0};
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     std::error_code ignored;
-    const bool text = std::filesystem::exists(textFont, ignored) && atlas.AddFontFromFileTTF(textFont, fontPixels_, nullptr, ranges.data()) != nullptr;
+    const bool text = std::filesystem::exists(textFont, ignored) &&
+                      atlas.AddFontFromFileTTF(textFont, fontPixels_, nullptr, ranges.data()) != nullptr;
     if (text) {
         atlas.AddFontFromFileTTF(textFont, std::round(1.4f * fontPixels_));  // the last one is the title's
     } else {
@@ -141,4 +145,4 @@ void UiWindow::endFrame() {
     glfwSwapBuffers(window_);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

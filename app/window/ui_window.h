@@ -38,4 +38,4 @@ class UiWindow {
     std::vector<int> heldKeys_;  ///< shown to ImGui as down for a frame, whatever has become of them since
 };
 
-} // namespace timeshade
+}  // namespace timeshade

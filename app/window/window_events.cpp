@@ -7,7 +7,9 @@
 
 namespace timeshade {
 
-WindowEvents& WindowEvents::of(GLFWwindow* window) { return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window)); }
+WindowEvents& WindowEvents::of(GLFWwindow* window) {
+    return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window));
+}
 
 WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
     glfwSetWindowUserPointer(window, this);
@@ -60,4 +62,4 @@ bool WindowEvents::takeActivity() { return std::exchange(activity_, false); }
 std::vector<KeyPress> WindowEvents::takeKeys() { return std::exchange(keys_, {}); }
 std::vector<std::string> WindowEvents::takeDropped() { return std::exchange(dropped_, {}); }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -41,4 +41,4 @@ class WindowEvents {
     std::vector<std::string> dropped_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

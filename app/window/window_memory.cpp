@@ -6,22 +6,23 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "image/image_file.h"
 #include "measure/user_folder.h"
-#include "scene/error.h"
 #include "settings_file.h"
 
 namespace timeshade {
 
 namespace {
 
-constexpr int leastWidth = 320, leastHeight = 240, mostSide = 16384;
+constexpr int leastWidth = 320, leastHeight = 240, maxSide = 16384;
 constexpr double secondsUntilWritten = 1.0;
 
 bool isSize(const nlohmann::json& value) {
-    if (!value.is_array() || value.size() != 2 || !value[0].is_number_integer() || !value[1].is_number_integer()) return false;
+    if (!value.is_array() || value.size() != 2 || !value[0].is_number_integer() || !value[1].is_number_integer())
+        return false;
     const auto width = value[0].get<long long>(), height = value[1].get<long long>();
-    return width >= leastWidth && width <= mostSide && height >= leastHeight && height <= mostSide;
+    return width >= leastWidth && width <= maxSide && height >= leastHeight && height <= maxSide;
 }
 
 /// False where the value makes no sense.
@@ -49,15 +50,17 @@ bool take(const std::string& key, const nlohmann::json& value, WindowMemory& mem
     return true;
 }
 
-} // namespace
+}  // namespace
 
 WindowMemory memoryOfJson(const std::string& text, const std::string& path) {
     const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object()) throw Error(fmt::format("{}: is no JSON object; the window begins as at a first start", path));
+    if (!json.is_object())
+        throw Error(fmt::format("{}: is no JSON object; the window begins as at a first start", path));
     WindowMemory memory;
     for (const auto& [key, value] : json.items())
         if (!take(key, value, memory))
-            throw Error(fmt::format("{}: \"{}\" is {}; the window begins as at a first start", path, key, value.dump().substr(0, 60)));
+            throw Error(fmt::format("{}: \"{}\" is {}; the window begins as at a first start", path, key,
+                                    value.dump().substr(0, 60)));
     return memory;
 }
 
@@ -111,4 +114,4 @@ void MemoryFile::write() {
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -36,7 +36,8 @@ LightPose ChangedScene::light(double seconds) const {
 }
 
 MotionMesh ChangedScene::motionMesh(double openSeconds, double closeSeconds) const {
-    MotionMesh mesh = reversed_ ? scene_->motionMesh(mirror_ - closeSeconds, mirror_ - openSeconds) : scene_->motionMesh(openSeconds, closeSeconds);
+    MotionMesh mesh = reversed_ ? scene_->motionMesh(mirror_ - closeSeconds, mirror_ - openSeconds)
+                                : scene_->motionMesh(openSeconds, closeSeconds);
     if (reversed_) {
         std::swap(mesh.positionsOpen, mesh.positionsClose);
         std::swap(mesh.normalsOpen, mesh.normalsClose);
@@ -74,13 +75,14 @@ bool isParallelogram(const std::vector<glm::dvec3>& positions, const glm::u32vec
     return glm::length(across - other) <= 1e-9 * glm::length(positions[v.x] - positions[v.z]);
 }
 
-} // namespace
+}  // namespace
 
 MotionMesh withDiagonalsTurned(MotionMesh mesh) {
     auto topology = std::make_shared<MeshTopology>(*mesh.topology);
     std::vector<glm::u32vec3>& triangles = topology->triangles;
     for (std::size_t i = 0; i + 1 < triangles.size(); ++i) {
-        const auto first = turnedAwayFrom(triangles[i + 1], triangles[i]), second = turnedAwayFrom(triangles[i], triangles[i + 1]);
+        const auto first = turnedAwayFrom(triangles[i + 1], triangles[i]),
+                   second = turnedAwayFrom(triangles[i], triangles[i + 1]);
         // The same side up: their common edge goes one way in one and the other way in the other.
         if (!first || !second || first->y != second->z || first->z != second->y) continue;
         const glm::u32vec4 around(first->x, first->y, second->x, first->z);
@@ -99,19 +101,22 @@ MotionMesh subdivided(MotionMesh mesh) {
     topology->triangleMaterials.clear();
     topology->triangleInstances.clear();
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-        for (auto* positions : {&mesh.positionsOpen, &mesh.positionsClose}) positions->push_back(0.5 * ((*positions)[a] + (*positions)[b]));
+        for (auto* positions : {&mesh.positionsOpen, &mesh.positionsClose})
+            positions->push_back(0.5 * ((*positions)[a] + (*positions)[b]));
         for (auto* normals : {&mesh.normalsOpen, &mesh.normalsClose}) {
             const glm::vec3 sum = (*normals)[a] + (*normals)[b];
             normals->push_back(glm::length(sum) > 0.0f ? glm::normalize(sum) : (*normals)[a]);
         }
-        topology->textureCoordinates.push_back(0.5f * (topology->textureCoordinates[a] + topology->textureCoordinates[b]));
+        topology->textureCoordinates.push_back(0.5f *
+                                               (topology->textureCoordinates[a] + topology->textureCoordinates[b]));
         return static_cast<std::uint32_t>(mesh.positionsOpen.size() - 1);
     };
     const MeshTopology& given = *mesh.topology;
     for (std::size_t i = 0; i < given.triangles.size(); ++i) {
         const glm::u32vec3 t = given.triangles[i];
         const std::uint32_t xy = middle(t.x, t.y), yz = middle(t.y, t.z), zx = middle(t.z, t.x);
-        for (const glm::u32vec3& piece : {glm::u32vec3(t.x, xy, zx), glm::u32vec3(xy, t.y, yz), glm::u32vec3(zx, yz, t.z), glm::u32vec3(xy, yz, zx)}) {
+        for (const glm::u32vec3& piece : {glm::u32vec3(t.x, xy, zx), glm::u32vec3(xy, t.y, yz),
+                                          glm::u32vec3(zx, yz, t.z), glm::u32vec3(xy, yz, zx)}) {
             topology->triangles.push_back(piece);
             topology->triangleMaterials.push_back(given.triangleMaterials[i]);
             topology->triangleInstances.push_back(given.triangleInstances[i]);
@@ -133,7 +138,8 @@ MotionMesh withQuad(MotionMesh mesh, const glm::dvec3 (&corners)[4]) {
         mesh.normalsClose.push_back(normal);
         topology->textureCoordinates.emplace_back(0.0f);
     }
-    for (const glm::u32vec3& t : {glm::u32vec3(first, first + 1, first + 2), glm::u32vec3(first, first + 2, first + 3)}) {
+    for (const glm::u32vec3& t :
+         {glm::u32vec3(first, first + 1, first + 2), glm::u32vec3(first, first + 2, first + 3)}) {
         topology->triangles.push_back(t);
         topology->triangleMaterials.push_back(0);
         topology->triangleInstances.push_back(static_cast<std::uint32_t>(topology->instanceCount));
@@ -144,4 +150,4 @@ MotionMesh withQuad(MotionMesh mesh, const glm::dvec3 (&corners)[4]) {
     return mesh;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

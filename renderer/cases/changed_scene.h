@@ -54,9 +54,10 @@ class ChangedScene final : public Scene {
 MotionMesh withCornersTurned(MotionMesh mesh);
 /// Each triangle becomes four, cut at the middles of its edges.
 MotionMesh subdivided(MotionMesh mesh);
-/// Two triangles in a row that make up a parallelogram, at both ends and so all the time, are cut along its other diagonal.
+/// Two triangles in a row that make up a parallelogram, at both ends and so all the time, are cut along its other
+/// diagonal.
 MotionMesh withDiagonalsTurned(MotionMesh mesh);
 /// A quad more, of the first material, which does not move. Corners counter-clockwise.
 MotionMesh withQuad(MotionMesh mesh, const glm::dvec3 (&corners)[4]);
 
-} // namespace timeshade
+}  // namespace timeshade

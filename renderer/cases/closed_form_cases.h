@@ -9,14 +9,16 @@
 
 namespace timeshade {
 
-/// A hard case whose lit share is known exactly: a row of the catalogue of hard cases. Set-up "C" unless its motion says
-/// otherwise: a spot light at (0, 0, 10) that looks down, a receiver at z = 0, and a quad of width 1 at z = 5 whose
-/// centre x follows c(u). The segment from a receiver at x to the light meets z = 5 half-way, at (light.x + x) / 2.
+/// A hard case whose lit share is known exactly: a row of the catalogue of hard cases. Set-up "C" unless its motion
+/// says otherwise: a spot light at (0, 0, 10) that looks down, a receiver at z = 0, and a quad of width 1 at z = 5
+/// whose centre x follows c(u). The segment from a receiver at x to the light meets z = 5 half-way, at (light.x + x)
+/// / 2.
 struct ClosedFormCase {
     enum class Kind {
         Picture,   ///< has a scene; the share is that of the samples that see the receiver
         Numeric,   ///< a shared function evaluated at floats: no technique takes part
-        Sequence,  ///< about what earlier frames leave behind: seen by techniques with a history only, and by their tests
+        Sequence,  ///< about what earlier frames leave behind: seen by techniques with a history only, and by their
+                   ///< tests
     };
     int row = 0;         ///< number in the catalogue
     std::string name;    ///< as after "case:"
@@ -28,7 +30,7 @@ struct ClosedFormCase {
 
     // Pictures only.
     std::shared_ptr<ProceduralScene> scene;
-    std::uint32_t firstReceiver = 0;  ///< triangles from this number on are the receiver
+    std::uint32_t firstReceiver = 0;                   ///< triangles from this number on are the receiver
     glm::dvec3 receiverOpen{0.0}, receiverClose{0.0};  ///< the point that the picture's middle sees, at both ends
     double patchWidth = 0.0, patchHeight = 0.0;        ///< of the part of the receiver that is seen, world units
     int width = 4, height = 4;                         ///< of the picture that is measured, pixels
@@ -55,4 +57,4 @@ ClosedFormCase contactCase(double gap);
 /// Case 1 with the quad's start moved by `shift` in x: the same lit share as long as |shift| <= 0.7.
 std::shared_ptr<ProceduralScene> sweptPointScene(double shift);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -47,13 +47,18 @@ class World {
         const dvec3 v = point - light(u);
         const double z = glm::dot(v, axis);
         const dvec3 w = v / z - end.corner;
-        return {glm::dot(w, end.right) / glm::dot(end.right, end.right), glm::dot(w, end.up) / glm::dot(end.up, end.up), z};
+        return {glm::dot(w, end.right) / glm::dot(end.right, end.right), glm::dot(w, end.up) / glm::dot(end.up, end.up),
+                z};
     }
     /// From the light through a point of the map, one unit along the axis.
-    dvec3 ray(const dvec2& map) const { return plan_.light.open.corner + plan_.light.open.right * map.x + plan_.light.open.up * map.y; }
+    dvec3 ray(const dvec2& map) const {
+        return plan_.light.open.corner + plan_.light.open.right * map.x + plan_.light.open.up * map.y;
+    }
     double texelWidth(double depth) const { return glm::length(plan_.light.open.right) / mapSize_ * depth; }
     double nearDistance() const { return static_cast<double>(plan_.light.block.nearDistance); }
-    dvec2 centreOfTexel(const dvec3& p) const { return (glm::floor(dvec2(p) * double(mapSize_)) + 0.5) / double(mapSize_); }
+    dvec2 centreOfTexel(const dvec3& p) const {
+        return (glm::floor(dvec2(p) * double(mapSize_)) + 0.5) / double(mapSize_);
+    }
     double texel() const { return 1.0 / mapSize_; }
 
     /// Where from + s * direction meets a triangle at time u, if it does.
@@ -70,7 +75,8 @@ class World {
     /// Where from + s * direction meets the plane of a triangle at time u.
     double planeDistance(std::size_t triangle, double u, const dvec3& from, const dvec3& direction) const {
         const Corners& t = triangles_[triangle];
-        const dvec3 v0 = glm::mix(t.open[0], t.close[0], u), v1 = glm::mix(t.open[1], t.close[1], u), v2 = glm::mix(t.open[2], t.close[2], u);
+        const dvec3 v0 = glm::mix(t.open[0], t.close[0], u), v1 = glm::mix(t.open[1], t.close[1], u),
+                    v2 = glm::mix(t.open[2], t.close[2], u);
         const dvec3 normal = glm::cross(v1 - v0, v2 - v0);
         return glm::dot(v0 - from, normal) / glm::dot(direction, normal);
     }
@@ -104,14 +110,17 @@ class Model {
         }
         double ambiguous = 0.0;
         for (int i = 0; i < places_; ++i)
-            for (int j = 0; j < places_; ++j) addPlace({(i + 0.5) / places_ - 0.5, (j + 0.5) / places_ - 0.5}, e, ambiguous);
+            for (int j = 0; j < places_; ++j)
+                addPlace({(i + 0.5) / places_ - 0.5, (j + 0.5) / places_ - 0.5}, e, ambiguous);
         const double count = double(places_) * places_;
         for (std::size_t k = 0; k < e.litOfStratum.size(); ++k) {
             e.litShare += e.litOfStratum[k] / (count * stepsSeen_);
             if (seenOfStratum_[k] > 0) e.litOfStratum[k] /= count * seenOfStratum_[k];
         }
-        if (traits_.texelCentres && !case_.fleeting) e.resolution = 0.5 * ambiguous / count + 0.5 * std::min(case_.ends, 4) / stepsInAll();
-        e.integration = std::min(case_.ends, 4) * 0.5 / stepsInAll() + 0.5 * (traits_.texelCentres ? borderShare() : 0.0);
+        if (traits_.texelCentres && !case_.fleeting)
+            e.resolution = 0.5 * ambiguous / count + 0.5 * std::min(case_.ends, 4) / stepsInAll();
+        e.integration =
+            std::min(case_.ends, 4) * 0.5 / stepsInAll() + 0.5 * (traits_.texelCentres ? borderShare() : 0.0);
         return e;
     }
 
@@ -119,10 +128,14 @@ class Model {
     double timeOf(int step) const { return (step + 0.5) / stepsInAll(); }
     bool isSeen(int step) const { return timeOf(step) >= case_.seenFrom && timeOf(step) <= case_.seenTo; }
     std::size_t stratumOf(int step) const { return static_cast<std::size_t>(timeOf(step) * strata_); }
-    int stepsInAll() const { return traits_.times == SamplingTraits::Times::EvenInstants ? traits_.instants : strata_ * steps_; }
+    int stepsInAll() const {
+        return traits_.times == SamplingTraits::Times::EvenInstants ? traits_.instants : strata_ * steps_;
+    }
 
     /// How much of the patch a texel's border may put on the wrong side of the places that stand for it.
-    double borderShare() const { return traits_.times == SamplingTraits::Times::OneInstant && case_.patchHeight > 0.1 ? 0.5 / places_ : 0.02; }
+    double borderShare() const {
+        return traits_.times == SamplingTraits::Times::OneInstant && case_.patchHeight > 0.1 ? 0.5 / places_ : 0.02;
+    }
 
     dvec3 receiver(const dvec2& place, double u) const {
         const dvec3 middle = glm::mix(case_.receiverOpen, case_.receiverClose, u) - world_.origin();
@@ -235,7 +248,7 @@ class Model {
     std::vector<Range> ranges_;
 };
 
-} // namespace
+}  // namespace
 
 Expectation expectationOf(const ClosedFormCase& c, const SamplingTraits& traits, int samplesPerPixel, int mapSize) {
     return Model(c, traits, samplesPerPixel, mapSize).result();
@@ -249,4 +262,4 @@ double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits,
     return std::max(1.0, c.patchHeight / (farthest * 2.0 * std::tan(open.outerConeAngle) / mapSize));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cases/closed_form_cases.h"
-#include "plan/sampling_traits.h"
+#include "technique/sampling_traits.h"
 
 namespace timeshade {
 
@@ -20,8 +20,8 @@ struct Expectation {
 /// Needs a case with a picture.
 Expectation expectationOf(const ClosedFormCase& c, const SamplingTraits& traits, int samplesPerPixel, int mapSize);
 
-/// How many independent answers one stratum of one picture holds: texels of the map that the picture's column covers, or, where a
-/// technique has no texels, camera samples.
+/// How many independent answers one stratum of one picture holds: texels of the map that the picture's column covers,
+/// or, where a technique has no texels, camera samples.
 double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits, int mapSize);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -91,4 +91,4 @@ MotionMesh ProceduralScene::motionMesh(double openSeconds, double closeSeconds) 
     return mesh;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -25,8 +25,9 @@ struct MovingCorners {
 /// The rectangle [centre.x - halfX, centre.x + halfX] x [lowY, highY] at height centre.z, moving from a to b.
 MovingQuad slidingQuad(glm::dvec3 a, glm::dvec3 b, double halfX, double lowY, double highY);
 
-/// A scene made of quads and triangles with known motion, for exact answers. One second of its time is one shutter: ask for
-/// it with frames per second 1, shutter 1, frame 0, which are its defaults. Quads come first: quad i is the triangles 2i and 2i + 1.
+/// A scene made of quads and triangles with known motion, for exact answers. One second of its time is one shutter: ask
+/// for it with frames per second 1, shutter 1, frame 0, which are its defaults. Quads come first: quad i is the
+/// triangles 2i and 2i + 1.
 class ProceduralScene final : public Scene {
   public:
     std::vector<MovingQuad> quads;
@@ -63,4 +64,4 @@ class ProceduralScene final : public Scene {
     std::shared_ptr<const MeshTopology> topology_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

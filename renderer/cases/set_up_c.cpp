@@ -16,7 +16,7 @@ void move(glm::dvec3 (&corners)[3], const glm::dvec3& by) {
     for (glm::dvec3& corner : corners) corner += by;
 }
 
-} // namespace
+}  // namespace
 
 SetUpC::SetUpC() = default;
 
@@ -127,9 +127,10 @@ void SetUpC::finish(ClosedFormCase& c) {
     scene_.cameraClose = cameraOver(receiverClose_ + travel);
     scene_.lightOpen = lightAt(lightOpen_);
     scene_.lightClose = lightAt(lightClose_);
-    scene_.overview = lookAt(offset_ + glm::dvec3(5.0, -9.0, 6.5), offset_ + glm::dvec3(0.0, 0.0, 2.5), {0.0, 0.0, 1.0}, 0.8, 0.05);
+    scene_.overview =
+        lookAt(offset_ + glm::dvec3(5.0, -9.0, 6.5), offset_ + glm::dvec3(0.0, 0.0, 2.5), {0.0, 0.0, 1.0}, 0.8, 0.05);
     scene_.finish("case:" + c.name);
     c.scene = std::make_shared<ProceduralScene>(std::move(scene_));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

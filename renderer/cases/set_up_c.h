@@ -46,4 +46,4 @@ class SetUpC {
     bool isPoint_ = false, receiverIsCaster_ = false;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -10,4 +10,4 @@ namespace timeshade {
 /// line names `what`, the texel and the value. Textures of other formats pass.
 void requireFinite(const gl::Texture& texture, const std::string& what, float low, float high);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "frame/buffer_check.h"
-#include "scene/error.h"
-#include "techniques/technique_views.h"
+#include "technique/technique_views.h"
 
 namespace timeshade {
 
@@ -50,7 +50,7 @@ std::uint64_t keyOf(Technique& technique) {
     return key;
 }
 
-} // namespace
+}  // namespace
 
 FrameRenderer::FrameRenderer()
     : device_(gl::currentDevice()),
@@ -66,9 +66,12 @@ void FrameRenderer::resize(int width, int height, int strata) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &deepest);
     if (width > largest || height > largest || strata > deepest)
-        throw Error(fmt::format("a picture of {} x {} with {} samples a pixel is more than this device takes ({} x {}, {})", width,
-                                height, strata, largest, largest, deepest));
-    const auto fits = [&](const gl::Texture& t, int layers) { return t.width() == width && t.height() == height && t.layers() == layers; };
+        throw Error(
+            fmt::format("a picture of {} x {} with {} samples a pixel is more than this device takes ({} x {}, {})",
+                        width, height, strata, largest, largest, deepest));
+    const auto fits = [&](const gl::Texture& t, int layers) {
+        return t.width() == width && t.height() == height && t.layers() == layers;
+    };
     if (!samples_ || !fits(samples_->ids(), strata)) {
         samples_.emplace(width, height, strata);
         visibility_.emplace(width, height, strata);
@@ -86,7 +89,7 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
         throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
     std::optional<TechniqueView> own;
     if (!techniqueView.empty()) own = viewOf(technique, techniqueView);
-    programs_.keepLatest(programsKept);
+    programs_.keepNewest(programsKept);
     plan_ = std::move(plan);
     technique_ = &technique;
     techniqueKey_ = keyOf(technique);
@@ -95,7 +98,8 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
     renders_ = technique.renders();
     done_ = 0;
     resize(plan_->request.width, plan_->request.height, renders_ > 1 ? 1 : plan_->request.samplesPerPixel);
-    if (techniqueView_ && (!values_ || values_->width() != radiance_->width() || values_->height() != radiance_->height()))
+    if (techniqueView_ &&
+        (!values_ || values_->width() != radiance_->width() || values_->height() != radiance_->height()))
         values_ = gl::Texture::image2D("view values", GL_R32F, radiance_->width(), radiance_->height());
     mesh_.update(*plan_);
     const std::array<GLfloat, 4> black{};
@@ -111,9 +115,16 @@ bool FrameRenderer::step() {
         const auto timed = timer_.scope("sample");
         samplePass_.draw(render, mesh_, *samples_);
     }
-    const TechniqueFrame frame{render,  mesh_,  *samples_,   *visibility_, fullscreen_,
-                               timer_, lookupPass_, samplePass_.stillIds(render, *samples_), samplePass_.touched(render),
-                               render.still.lit == 0 ? 0 : mixed(techniqueKey_, render.still.lit) | 1};
+    const TechniqueFrame frame{render,
+                               mesh_,
+                               *samples_,
+                               *visibility_,
+                               fullscreen_,
+                               timer_,
+                               lookupPass_,
+                               samplePass_.staticIds(render, *samples_),
+                               samplePass_.dynamicPixels(render),
+                               render.versions.lit == 0 ? 0 : mixed(techniqueKey_, render.versions.lit) | 1};
     {
         const auto timed = timer_.scope("build");
         technique_->build(frame);
@@ -139,20 +150,25 @@ bool FrameRenderer::step() {
 
 void FrameRenderer::draw(FramePlan plan, Technique& technique, View view, const std::string& techniqueView) {
     begin(std::move(plan), technique, view, techniqueView);
-    while (!step()) {}
+    while (!step()) {
+    }
 }
 
 void FrameRenderer::checkBuffers() const {
     requireFinite(visibility_->lit(), "visibility", 0.0f, 1.0f);
     requireFinite(*radiance_, "radiance", 0.0f, std::numeric_limits<float>::max());
-    if (techniqueView_) requireFinite(*values_, "view " + techniqueView_->name, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
+    if (techniqueView_)
+        requireFinite(*values_, "view " + techniqueView_->name, std::numeric_limits<float>::lowest(),
+                      std::numeric_limits<float>::max());
     for (const gl::Texture* texture : technique_->textures())
-        requireFinite(*texture, technique_->description().name, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
+        requireFinite(*texture, technique_->description().name, std::numeric_limits<float>::lowest(),
+                      std::numeric_limits<float>::max());
 }
 
 const gl::Texture& FrameRenderer::displayTexture() {
     if (techniqueView_) {
-        heatMapPass_.draw(fullscreen_, *values_, {techniqueView_->low, techniqueView_->high, techniqueView_->logarithmic}, *picture_);
+        heatMapPass_.draw(fullscreen_, *values_,
+                          {techniqueView_->low, techniqueView_->high, techniqueView_->logarithmic}, *picture_);
         return *picture_;
     }
     const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
@@ -181,7 +197,9 @@ LinearImage FrameRenderer::readRadiance() {
     return image;
 }
 
-std::vector<float> FrameRenderer::readVisibility() const { return readArray<float>(visibility_->lit(), GL_RED, GL_FLOAT); }
+std::vector<float> FrameRenderer::readVisibility() const {
+    return readArray<float>(visibility_->lit(), GL_RED, GL_FLOAT);
+}
 
 std::vector<std::uint32_t> FrameRenderer::readSampleIds() const {
     return readArray<std::uint32_t>(samples_->ids(), GL_RED_INTEGER, GL_UNSIGNED_INT);
@@ -193,8 +211,9 @@ GpuMemory FrameRenderer::memory() const {
     memory.samples = samplePass_.bytes() + (samples_ ? samples_->bytes() : 0);
     memory.visibility = (visibility_ ? visibility_->bytes() : 0) + lookupPass_.bytes();
     memory.technique = techniqueBytes_;
-    memory.picture = (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);
+    memory.picture =
+        (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);
     return memory;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -13,7 +13,7 @@
 #include "passes/heat_map_pass.h"
 #include "passes/sample_pass.h"
 #include "passes/shade_pass.h"
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
@@ -35,8 +35,8 @@ class FrameRenderer {
     const gl::DeviceInfo& device() const { return device_; }
 
     /// Starts a frame. The technique must outlive the frame. Throws Error where the technique does not support the plan
-    /// or the buffers can't be had. `techniqueView` names one of the technique's own views, which is then shown as a heat map
-    /// instead of `view`; throws UsageError where the technique has no such view.
+    /// or the buffers can't be had. `techniqueView` names one of the technique's own views, which is then shown as a
+    /// heat map instead of `view`; throws UsageError where the technique has no such view.
     void begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView = {});
     /// Draws the next render. True when the frame is complete.
     bool step();
@@ -89,7 +89,7 @@ class FrameRenderer {
 
     std::optional<FramePlan> plan_;
     Technique* technique_ = nullptr;
-    std::size_t techniqueBytes_ = 0;     ///< after the last render
+    std::size_t techniqueBytes_ = 0;  ///< after the last render
     std::uint64_t techniqueKey_ = 0;  ///< stands for the technique and its settings
     View view_ = View::Final;
     std::optional<TechniqueView> techniqueView_;
@@ -97,4 +97,4 @@ class FrameRenderer {
     bool checked_ = false;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

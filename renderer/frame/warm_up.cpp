@@ -14,7 +14,8 @@ std::string warmUpWords(const Technique& technique, const FrameRequest& request)
     return words;
 }
 
-void drawWarmUp(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request, View view) {
+void drawWarmUp(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
+                View view) {
     if (warmUpCount(technique) == 0) return;
     technique.forget();
     FrameRequest earlier = request;
@@ -29,4 +30,4 @@ void drawWarmUp(FrameRenderer& renderer, FramePlanner& planner, Technique& techn
     renderer.timer().finishFrame();  // none of it is the picture's time
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -11,7 +11,7 @@ GLuint createBuffer() {
     glCreateBuffers(1, &name);
     return name;
 }
-} // namespace
+}  // namespace
 
 Buffer::Buffer(const std::string& labelText, std::size_t byteCount)
     : Object(createBuffer()), byteCount_(std::max<std::size_t>(byteCount, 16)) {
@@ -24,4 +24,4 @@ void Buffer::uploadBytes(const void* data, std::size_t byteCount) {
     if (byteCount > 0) glNamedBufferSubData(name(), 0, static_cast<GLsizeiptr>(byteCount), data);
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -35,4 +35,4 @@ class Buffer : public Object<DeleteBuffer> {
     std::size_t byteCount_ = 0;
 };
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -5,13 +5,15 @@
 namespace timeshade::gl {
 
 namespace {
-void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void* user) {
-    const bool counts = type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR || type == GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR;
+void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
+                            const void* user) {
+    const bool counts = type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
+                        type == GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR;
     if (!counts || severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
     // The API hands user pointers back as const.
     static_cast<DebugLog*>(const_cast<void*>(user))->add(std::string(text, static_cast<std::size_t>(length)));
 }
-} // namespace
+}  // namespace
 
 DebugLog::DebugLog() {
     glEnable(GL_DEBUG_OUTPUT);
@@ -22,4 +24,4 @@ DebugLog::DebugLog() {
 
 DebugLog::~DebugLog() { glDebugMessageCallback(nullptr, nullptr); }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

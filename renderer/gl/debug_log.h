@@ -23,4 +23,4 @@ class DebugLog {
     std::vector<std::string> messages_;
 };
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

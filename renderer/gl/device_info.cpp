@@ -13,7 +13,7 @@ std::string text(GLenum which) {
     // glGetString returns unsigned bytes that are plain text.
     return value ? reinterpret_cast<const char*>(value) : "unknown";
 }
-} // namespace
+}  // namespace
 
 DeviceInfo currentDevice() {
     DeviceInfo info{text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION), false};
@@ -23,4 +23,4 @@ DeviceInfo currentDevice() {
     return info;
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

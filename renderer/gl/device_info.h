@@ -14,4 +14,4 @@ struct DeviceInfo {
 
 DeviceInfo currentDevice();
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

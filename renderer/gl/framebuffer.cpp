@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::gl {
 
@@ -14,7 +14,7 @@ GLuint createFramebuffer() {
     glCreateFramebuffers(1, &name);
     return name;
 }
-} // namespace
+}  // namespace
 
 Framebuffer::Framebuffer(const std::string& labelText) : Object(createFramebuffer()) {
     label(GL_FRAMEBUFFER, name(), labelText);
@@ -28,7 +28,8 @@ void Framebuffer::attach(GLenum attachment, const Texture& texture, int layer) c
 }
 
 void Framebuffer::setColorCount(int count) const {
-    const std::array<GLenum, 4> all{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3};
+    const std::array<GLenum, 4> all{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+                                    GL_COLOR_ATTACHMENT3};
     if (count == 0) {
         glNamedFramebufferDrawBuffer(name(), GL_NONE);
         glNamedFramebufferReadBuffer(name(), GL_NONE);
@@ -46,4 +47,4 @@ void Framebuffer::bindForDrawing(int width, int height) const {
     glViewport(0, 0, width, height);
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -27,4 +27,4 @@ class Framebuffer : public Object<DeleteFramebuffer> {
     void bindForDrawing(int width, int height) const;
 };
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::gl {
 
@@ -21,45 +21,51 @@ std::size_t limitOf(GLenum name) {
     return static_cast<std::size_t>(std::max<GLint64>(value, 0));
 }
 
-} // namespace
+}  // namespace
 
-GrowingBuffer::GrowingBuffer(std::string labelText, GLenum texelFormat) : label_(std::move(labelText)), format_(texelFormat) {}
+GrowingBuffer::GrowingBuffer(std::string labelText, GLenum texelFormat)
+    : label_(std::move(labelText)), format_(texelFormat) {}
 
 bool GrowingBuffer::isFarTooLarge(std::size_t elements) {
     const std::size_t held = buffer_->bytes();
     if (held <= smallBuffer || elements * bytesPerTexel(format_) >= held / 4) {
         smallRequests_ = 0;
-        largestLately_ = 0;
+        maxLately_ = 0;
         return false;
     }
-    largestLately_ = std::max(largestLately_, elements);
+    maxLately_ = std::max(maxLately_, elements);
     return ++smallRequests_ >= smallRequestsBorne;
 }
 
 void GrowingBuffer::reserve(std::size_t elements, const std::string& advice) {
     const std::size_t each = bytesPerTexel(format_);
     if (buffer_ && isFarTooLarge(elements))
-        elements = largestLately_;
+        elements = maxLately_;
     else if (buffer_ && buffer_->bytes() >= elements * each)
         return;
     smallRequests_ = 0;
-    largestLately_ = 0;
-    const std::size_t largestBlock = limitOf(GL_MAX_SHADER_STORAGE_BLOCK_SIZE), mostTexels = limitOf(GL_MAX_TEXTURE_BUFFER_SIZE);
+    maxLately_ = 0;
+    const std::size_t largestBlock = limitOf(GL_MAX_SHADER_STORAGE_BLOCK_SIZE),
+                      maxTexels = limitOf(GL_MAX_TEXTURE_BUFFER_SIZE);
     if (elements * each > largestBlock)
-        throw LimitError(fmt::format("'{}' needs {:.0f} MiB for {} entries; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {:.0f} MiB: {}", label_,
-                                mebibytes(elements * each), elements, mebibytes(largestBlock), advice));
-    if (elements > mostTexels)
-        throw LimitError(fmt::format("'{}' needs {} entries; this device's GL_MAX_TEXTURE_BUFFER_SIZE is {}: {}", label_, elements, mostTexels, advice));
-    const std::size_t room = std::min({elements + elements / 32, largestBlock / each, mostTexels});
+        throw LimitError(fmt::format(
+            "'{}' needs {:.0f} MiB for {} entries; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {:.0f} MiB: {}",
+            label_, mebibytes(elements * each), elements, mebibytes(largestBlock), advice));
+    if (elements > maxTexels)
+        throw LimitError(fmt::format("'{}' needs {} entries; this device's GL_MAX_TEXTURE_BUFFER_SIZE is {}: {}",
+                                     label_, elements, maxTexels, advice));
+    const std::size_t room = std::min({elements + elements / 32, largestBlock / each, maxTexels});
     view_.reset();
     buffer_.reset();  // first, so that both need not fit at once
-    while (glGetError() != GL_NO_ERROR) {}
+    while (glGetError() != GL_NO_ERROR) {
+    }
     buffer_.emplace(label_, room * each);
     if (glGetError() == GL_OUT_OF_MEMORY) {
         buffer_.reset();
-        throw LimitError(fmt::format("not enough GPU memory for '{}' ({:.0f} MiB): {}", label_, mebibytes(room * each), advice));
+        throw LimitError(
+            fmt::format("not enough GPU memory for '{}' ({:.0f} MiB): {}", label_, mebibytes(room * each), advice));
     }
     view_ = Texture::ofBuffer(label_, format_, *buffer_);
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -9,16 +9,17 @@
 
 namespace timeshade::gl {
 
-/// A buffer that shaders write as a storage block and read through a buffer texture. It grows when more is asked of it, and shrinks when
-/// for 32 requests in a row less than a quarter of it was asked for: one heavy scene does not hold its memory for ever. What
-/// it held is lost in both cases, so that any reserve() may lose it.
+/// A buffer that shaders write as a storage block and read through a buffer texture. It grows when more is asked of it,
+/// and shrinks when for 32 requests in a row less than a quarter of it was asked for: one heavy scene does not hold its
+/// memory for ever. What it held is lost in both cases, so that any reserve() may lose it.
 class GrowingBuffer {
   public:
     /// `texelFormat`: one of the formats of bytesPerTexel; an element is one texel.
     GrowingBuffer(std::string labelText, GLenum texelFormat);
 
-    /// Room for `elements`, and 3 % more when it is made anew. Throws LimitError where the device's storage blocks, buffer textures or
-    /// memory do not take so many; the line names what was wanted, the limit, and `advice` ("lower --map").
+    /// Room for `elements`, and 3 % more when it is made anew. Throws LimitError where the device's storage blocks,
+    /// buffer textures or memory do not take so many; the line names what was wanted, the limit, and `advice` ("lower
+    /// --map").
     void reserve(std::size_t elements, const std::string& advice);
 
     void bindForWriting(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_->name()); }
@@ -31,10 +32,10 @@ class GrowingBuffer {
 
     std::string label_;
     GLenum format_;
-    std::size_t largestLately_ = 0;  ///< elements asked for by the small requests in a row
+    std::size_t maxLately_ = 0;  ///< elements asked for by the small requests in a row
     int smallRequests_ = 0;
     std::optional<Buffer> buffer_;
     std::optional<Texture> view_;
 };
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

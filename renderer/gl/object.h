@@ -36,4 +36,4 @@ inline void label(GLenum kind, GLuint name, const std::string& text) {
     glObjectLabel(kind, name, static_cast<GLsizei>(text.size()), text.c_str());
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -58,7 +58,8 @@ std::vector<PassTimer::Reading> PassTimer::read(const Frame& frame) {
             glGetQueryObjectui64v(step.endQuery, GL_QUERY_RESULT, &end);
             milliseconds = static_cast<double>(end - begin) * 1e-6;
         }
-        const auto same = std::find_if(readings.begin(), readings.end(), [&](const Reading& r) { return r.name == step.name; });
+        const auto same =
+            std::find_if(readings.begin(), readings.end(), [&](const Reading& r) { return r.name == step.name; });
         if (same == readings.end())
             readings.push_back({step.name, milliseconds});
         else
@@ -107,4 +108,4 @@ double totalOf(const std::vector<PassTimer::Reading>& readings) {
     return sum;
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

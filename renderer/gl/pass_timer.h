@@ -66,4 +66,4 @@ class PassTimer {
 /// Time of all steps that are not part of another, in milliseconds.
 double totalOf(const std::vector<PassTimer::Reading>& readings);
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

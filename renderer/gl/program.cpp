@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::gl {
 
@@ -72,7 +72,7 @@ GLuint link(const ProgramDescription& description) {
     throw Error(fmt::format("shaders/{}: does not link: {}", description.stages().front(), firstLine(log)));
 }
 
-} // namespace
+}  // namespace
 
 std::vector<std::string> ProgramDescription::stages() const {
     std::vector<std::string> all;
@@ -88,4 +88,4 @@ Program::Program(const ProgramDescription& description) : Object(link(descriptio
 
 const std::vector<ProgramDescription>& programsBuilt() { return built(); }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -37,4 +37,4 @@ class Program : public Object<DeleteProgram> {
 /// Every program built so far in this process, each once, for the test that hands each to an independent validator.
 const std::vector<ProgramDescription>& programsBuilt();
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::gl {
 
@@ -11,15 +11,17 @@ const Program& ProgramCache::get(const ProgramDescription& description) {
     for (const std::string& stage : description.stages()) key += stage + "|";
     for (const auto& [name, value] : description.defines) key += "|" + name + "=" + value;
     auto found = programs_.find(key);
-    if (found == programs_.end()) found = programs_.emplace(std::move(key), Entry{Program(description), description, 0}).first;
+    if (found == programs_.end())
+        found = programs_.emplace(std::move(key), Entry{Program(description), description, 0}).first;
     found->second.lastUse = ++uses_;
     return found->second.program;
 }
 
-void ProgramCache::keepLatest(std::size_t count) {
+void ProgramCache::keepNewest(std::size_t count) {
     while (programs_.size() > count)
-        programs_.erase(std::min_element(programs_.begin(), programs_.end(),
-                                         [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; }));
+        programs_.erase(std::min_element(programs_.begin(), programs_.end(), [](const auto& a, const auto& b) {
+            return a.second.lastUse < b.second.lastUse;
+        }));
 }
 
 std::vector<std::string> ProgramCache::reload() {
@@ -34,4 +36,4 @@ std::vector<std::string> ProgramCache::reload() {
     return complaints;
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

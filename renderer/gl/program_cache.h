@@ -10,16 +10,16 @@
 
 namespace timeshade::gl {
 
-/// Programs by description, each built at its first use and kept until it is dropped. A software renderer holds about a megabyte
-/// of machine code and more for each, times the kinds of textures that it has met.
+/// Programs by description, each built at its first use and kept until it is dropped. A software renderer holds about a
+/// megabyte of machine code and more for each, times the kinds of textures that it has met.
 class ProgramCache {
   public:
-    /// Valid until the next call of keepLatest(): ask again for every use, and set all uniforms.
+    /// Valid until the next call of keepNewest(): ask again for every use, and set all uniforms.
     const Program& get(const ProgramDescription& description);
     /// Drops all but the `count` programs that were asked for last.
-    void keepLatest(std::size_t count);
-    /// Builds all programs anew from their files. Where one can't be, the last good one stays; what the driver and the files say of
-    /// these, a line each.
+    void keepNewest(std::size_t count);
+    /// Builds all programs anew from their files. Where one can't be, the last good one stays; what the driver and the
+    /// files say of these, a line each.
     std::vector<std::string> reload();
     std::size_t size() const { return programs_.size(); }
 
@@ -33,4 +33,4 @@ class ProgramCache {
     std::uint64_t uses_ = 0;
 };
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -32,4 +32,4 @@ class FragmentCount : public Object<DeleteQuery> {
     }
 };
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -6,8 +6,9 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <timeshade/paths.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::gl {
 
@@ -49,7 +50,7 @@ class Expander {
     ShaderSource& out_;
 };
 
-} // namespace
+}  // namespace
 
 std::filesystem::path shaderDirectory() {
     if (const char* folder = std::getenv("TIMESHADE_SHADERS")) return folder;
@@ -64,4 +65,4 @@ ShaderSource readShader(std::string_view path, const ShaderDefines& defines) {
     return source;
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

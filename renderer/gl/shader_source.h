@@ -25,4 +25,4 @@ ShaderSource readShader(std::string_view path, const ShaderDefines& defines);
 /// Where the shaders lie: the folder of the sources, or TIMESHADE_SHADERS where that is set.
 std::filesystem::path shaderDirectory();
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

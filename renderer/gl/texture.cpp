@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::gl {
 
@@ -17,14 +17,17 @@ GLuint createTexture(GLenum target) {
 /// Reserves memory with `allocate`, and says what it was for where there is not enough.
 template <typename Allocate>
 void reserve(const std::string& labelText, std::size_t bytes, const Allocate& allocate) {
-    while (glGetError() != GL_NO_ERROR) {}  // what went wrong before is not this texture's fault
+    while (glGetError() != GL_NO_ERROR) {
+    }  // what went wrong before is not this texture's fault
     allocate();
     if (glGetError() == GL_OUT_OF_MEMORY)
-        throw Error(fmt::format("not enough GPU memory for the texture '{}' ({:.0f} MiB); expected a smaller picture, map or number of samples",
-                                labelText, static_cast<double>(bytes) / (1024.0 * 1024.0)));
+        throw Error(
+            fmt::format("not enough GPU memory for the texture '{}' ({:.0f} MiB); expected a smaller picture, map or "
+                        "number of samples",
+                        labelText, static_cast<double>(bytes) / (1024.0 * 1024.0)));
 }
 
-} // namespace
+}  // namespace
 
 Texture::Texture(GLenum target, const std::string& labelText) : Object(createTexture(target)) {
     label(GL_TEXTURE, name(), labelText);
@@ -41,9 +44,10 @@ Texture Texture::array2D(const std::string& labelText, GLenum internalFormat, in
     texture.width_ = width;
     texture.height_ = height;
     texture.layers_ = layers;
-    texture.bytes_ = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                     static_cast<std::size_t>(layers);
-    reserve(labelText, texture.bytes_, [&] { glTextureStorage3D(texture.name(), 1, internalFormat, width, height, layers); });
+    texture.bytes_ = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) *
+                     static_cast<std::size_t>(height) * static_cast<std::size_t>(layers);
+    reserve(labelText, texture.bytes_,
+            [&] { glTextureStorage3D(texture.name(), 1, internalFormat, width, height, layers); });
     return texture;
 }
 
@@ -54,9 +58,11 @@ Texture Texture::image2D(const std::string& labelText, GLenum internalFormat, in
     texture.width_ = width;
     texture.height_ = height;
     texture.layers_ = 1;
-    const std::size_t base = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const std::size_t base =
+        bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     texture.bytes_ = levels > 1 ? base + base / 3 : base;
-    reserve(labelText, texture.bytes_, [&] { glTextureStorage2D(texture.name(), levels, internalFormat, width, height); });
+    reserve(labelText, texture.bytes_,
+            [&] { glTextureStorage2D(texture.name(), levels, internalFormat, width, height); });
     return texture;
 }
 
@@ -95,4 +101,4 @@ std::size_t bytesPerTexel(GLenum internalFormat) {
     }
 }
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

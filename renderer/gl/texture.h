@@ -26,7 +26,7 @@ class Texture : public Object<DeleteTexture> {
     int height() const { return height_; }
     int layers() const { return layers_; }
     bool isArray() const { return isArray_; }
-    GLenum format() const { return format_; }  ///< the internal format
+    GLenum format() const { return format_; }     ///< the internal format
     std::size_t bytes() const { return bytes_; }  ///< 0 for a buffer's view: the buffer counts them
 
     void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
@@ -44,4 +44,4 @@ class Texture : public Object<DeleteTexture> {
 /// Bytes of one texel of the formats that this program uses.
 std::size_t bytesPerTexel(GLenum internalFormat);
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -30,4 +30,4 @@ class VertexArray : public Object<DeleteVertexArray> {
     }
 };
 
-} // namespace timeshade::gl
+}  // namespace timeshade::gl

@@ -1,5 +1,5 @@
+#include "core/error.h"
 #include "image/image_file.h"
-#include "scene/error.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -43,9 +43,9 @@ class Descriptor {
 
 /// What stands at the path now, looked up through symbolic links.
 struct Target {
-    fs::path file;                ///< where the links end; renaming onto this keeps the links
-    std::optional<mode_t> mode;   ///< permissions of the file that is there already
-    bool isStream = false;        ///< a device or a pipe: written to, never replaced
+    fs::path file;               ///< where the links end; renaming onto this keeps the links
+    std::optional<mode_t> mode;  ///< permissions of the file that is there already
+    bool isStream = false;       ///< a device or a pipe: written to, never replaced
 };
 
 /// Where links to a file that does not exist yet end. The caller knows that they do not run in a circle.
@@ -175,7 +175,7 @@ void requireFileName(const fs::path& path) {
     }
 }
 
-} // namespace
+}  // namespace
 
 void writeFileAtomically(const fs::path& path, std::span<const char> bytes) {
     requireFileName(path);
@@ -198,4 +198,4 @@ void requireWritable(const fs::path& path) {
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,6 +1,6 @@
+#include "core/error.h"
 #include "image/file_bytes.h"
 #include "image/image_file.h"
-#include "scene/error.h"
 
 #include <fmt/format.h>
 #include <tinyexr.h>
@@ -95,7 +95,7 @@ const unsigned char* findChannel(const LoadedExr& exr, std::string_view name) {
     return nullptr;
 }
 
-} // namespace
+}  // namespace
 
 void writeExr(const std::filesystem::path& path, const LinearImage& image) {
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
@@ -160,4 +160,4 @@ LinearImage readExr(const std::filesystem::path& path) {
     return image;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,6 +1,6 @@
 #include "image/file_bytes.h"
 
-#include "scene/error.h"
+#include "core/error.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-} // namespace
+}  // namespace
 
 std::vector<unsigned char> readFileBytes(const std::filesystem::path& path) {
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
@@ -40,4 +40,4 @@ std::vector<unsigned char> readFileBytes(const std::filesystem::path& path) {
     return bytes;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

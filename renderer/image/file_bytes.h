@@ -8,4 +8,4 @@ namespace timeshade {
 /// The whole file. Throws Error: "cannot read PATH: REASON".
 std::vector<unsigned char> readFileBytes(const std::filesystem::path& path);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -39,4 +39,4 @@ void writeFileAtomically(const std::filesystem::path& path, std::span<const char
 /// its place. Called before long work starts.
 void requireWritable(const std::filesystem::path& path);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,6 +1,6 @@
+#include "core/error.h"
 #include "image/file_bytes.h"
 #include "image/image_file.h"
-#include "scene/error.h"
 
 #include <fmt/format.h>
 #include <stb_image.h>
@@ -54,7 +54,7 @@ struct FreePixels {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
 
-} // namespace
+}  // namespace
 
 void writePng(const std::filesystem::path& path, const DisplayImage& image, const std::string& note) {
     assert(image.rgb.size() == byteCount(image));
@@ -88,4 +88,4 @@ DisplayImage readPng(const std::filesystem::path& path) {
     return image;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cases/expectation.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade {
 
@@ -13,10 +13,13 @@ namespace {
 using Times = SamplingTraits::Times;
 
 /// No random number decides: what is looked at is the same whatever the seed.
-bool isDeterministic(const SamplingTraits& traits) { return traits.times == Times::OneInstant || traits.times == Times::EvenInstants; }
+bool isDeterministic(const SamplingTraits& traits) {
+    return traits.times == Times::OneInstant || traits.times == Times::EvenInstants;
+}
 
 /// Four standard errors of the mean of independent answers, one from each stratum at a time.
-double samplingTolerance(const ClosedFormCase& c, const SamplingTraits& traits, const Expectation& e, double answersPerStratum) {
+double samplingTolerance(const ClosedFormCase& c, const SamplingTraits& traits, const Expectation& e,
+                         double answersPerStratum) {
     if (isDeterministic(traits)) return 0.0;
     double variance = 0.0;
     for (const double lit : e.litOfStratum) variance += lit * (1.0 - lit);
@@ -32,7 +35,7 @@ int picturesFor(const SamplingTraits& traits, double answersPerPicture) {
     return std::clamp(static_cast<int>(std::ceil(100.0 / answersPerPicture)), 1, 64);
 }
 
-} // namespace
+}  // namespace
 
 const char* nameOf(Verdict verdict) {
     switch (verdict) {
@@ -44,14 +47,16 @@ const char* nameOf(Verdict verdict) {
     return "";
 }
 
-double measureLitShare(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort, int pictures) {
+double measureLitShare(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c,
+                       const CaseSampling& sampleCount, int pictures) {
     FramePlanner planner(*c.scene);
     double lit = 0.0;
     std::size_t samples = 0;
     for (int picture = 0; picture < pictures; ++picture) {
         technique.forget();
         const auto seed = static_cast<std::uint32_t>(picture + 1);
-        renderer.begin(planner.plan(c.request(effort.samplesPerPixel, effort.mapSize, seed)), technique, View::Visibility);
+        renderer.begin(planner.plan(c.request(sampleCount.samplesPerPixel, sampleCount.mapSize, seed)), technique,
+                       View::Visibility);
         for (bool complete = false; !complete;) {
             complete = renderer.step();
             const std::vector<std::uint32_t> ids = renderer.readSampleIds();
@@ -66,37 +71,42 @@ double measureLitShare(FrameRenderer& renderer, Technique& technique, const Clos
     return samples > 0 ? lit / static_cast<double>(samples) : 0.0;
 }
 
-CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort) {
+CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c,
+                   const CaseSampling& sampleCount) {
     CaseResult result;
     result.technique = technique.description().name;
     result.caseName = c.name;
     result.exact = c.exact;
     if (c.kind != ClosedFormCase::Kind::Picture) {
-        result.reason = c.kind == ClosedFormCase::Kind::Numeric ? "evaluated without a picture" : "about sequences of frames";
+        result.reason =
+            c.kind == ClosedFormCase::Kind::Numeric ? "evaluated without a picture" : "about sequences of frames";
         return result;
     }
     FramePlanner planner(*c.scene);
-    if (const auto why = technique.unsupported(planner.plan(c.request(effort.samplesPerPixel, effort.mapSize, 1)))) {
+    if (const auto why =
+            technique.unsupported(planner.plan(c.request(sampleCount.samplesPerPixel, sampleCount.mapSize, 1)))) {
         result.reason = *why;
         return result;
     }
     const SamplingTraits traits = technique.samplingTraits();
     if (traits.mapFollowsCamera && c.fleeting) {
-        result.reason = "what a map fitted to the picture catches of a caster finer than the light's own texels is not predicted";
+        result.reason =
+            "what a map fitted to the picture catches of a caster finer than the light's own texels is not predicted";
         return result;
     }
-    const double answers = independentAnswers(c, traits, effort.mapSize);
+    const double answers = independentAnswers(c, traits, sampleCount.mapSize);
     const int pictures = picturesFor(traits, answers);
     try {
-        result.value = measureLitShare(renderer, technique, c, effort, pictures);
+        result.value = measureLitShare(renderer, technique, c, sampleCount, pictures);
     } catch (const LimitError& error) {
         result.reason = error.what();
         return result;
     }
 
-    const Expectation e = expectationOf(c, traits, effort.samplesPerPixel, effort.mapSize);
+    const Expectation e = expectationOf(c, traits, sampleCount.samplesPerPixel, sampleCount.mapSize);
     const double noise = samplingTolerance(c, traits, e, answers * pictures);
-    // Positions that are rounded once, and the patch's own width: its sides are reached by the shadow's ends a little apart.
+    // Positions that are rounded once, and the patch's own width: its sides are reached by the shadow's ends a little
+    // apart.
     double own = traits.statedError + 1e-4 + 0.05 * c.ends * c.patchWidth * (c.fleeting ? 0.0 : 1.0);
     if (traits.times == Times::EvenInstants) own += 0.5 * std::min(c.ends, 4) / traits.instants;
     result.tolerance = noise + own + (traits.times == Times::OneInstant ? 0.0 : e.resolution);
@@ -105,11 +115,12 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
     if (std::abs(result.error()) <= result.tolerance)
         result.verdict = Verdict::Right;
     else
-        result.verdict = std::abs(result.value - result.predicted) <= result.predictedTolerance ? Verdict::Predicted : Verdict::Wrong;
+        result.verdict = std::abs(result.value - result.predicted) <= result.predictedTolerance ? Verdict::Predicted
+                                                                                                : Verdict::Wrong;
     return result;
 }
 
-CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const CaseEffort& effort) {
+CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const CaseSampling& sampleCount) {
     const SamplingTraits traits = technique.samplingTraits();
     CaseResult result;
     result.technique = technique.description().name;
@@ -119,14 +130,15 @@ CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const C
     for (const double gap : gaps) {
         const ClosedFormCase c = contactCase(gap);
         FramePlanner planner(*c.scene);
-        const FramePlan plan = planner.plan(c.request(effort.samplesPerPixel, effort.mapSize, 1));
+        const FramePlan plan = planner.plan(c.request(sampleCount.samplesPerPixel, sampleCount.mapSize, 1));
         if (const auto why = technique.unsupported(plan)) {
             result.reason = *why;
             return result;
         }
         // A texel's width at the receiver.
-        result.predicted = traits.texelCentres ? traits.biasTexels * 10.0 * static_cast<double>(plan.block.lightCone.w) : 1e-4;
-        if (measureLitShare(renderer, technique, c, effort, 1) > 0.01) break;
+        result.predicted =
+            traits.texelCentres ? traits.biasTexels * 10.0 * static_cast<double>(plan.block.lightCone.w) : 1e-4;
+        if (measureLitShare(renderer, technique, c, sampleCount, 1) > 0.01) break;
         result.value = gap;
     }
     result.tolerance = 0.01;
@@ -134,7 +146,8 @@ CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const C
     if (result.value <= result.tolerance)
         result.verdict = Verdict::Right;
     else
-        result.verdict = result.value <= result.predicted + result.predictedTolerance ? Verdict::Predicted : Verdict::Wrong;
+        result.verdict =
+            result.value <= result.predicted + result.predictedTolerance ? Verdict::Predicted : Verdict::Wrong;
     return result;
 }
 
@@ -149,4 +162,4 @@ CaseResult runNumericCase(const ClosedFormCase& c) {
     return result;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -11,10 +11,10 @@ namespace timeshade {
 
 /// How a technique's answer to a hard case stands to the exact one.
 enum class Verdict {
-    Right,        ///< exact within the tolerance that follows from what the technique states about itself
-    Predicted,    ///< off, by as much as that says
-    Wrong,        ///< neither
-    NotTaken,     ///< the technique does not support the case, or the case is no picture
+    Right,      ///< exact within the tolerance that follows from what the technique states about itself
+    Predicted,  ///< off, by as much as that says
+    Wrong,      ///< neither
+    NotTaken,   ///< the technique does not support the case, or the case is no picture
 };
 const char* nameOf(Verdict verdict);
 
@@ -33,24 +33,26 @@ struct CaseResult {
     double error() const { return value - exact; }
 };
 
-struct CaseEffort {
+struct CaseSampling {
     int samplesPerPixel = 8;
     int mapSize = 512;
 };
 
 /// Mean lit, over the samples that see the case's receiver, of `pictures` pictures with seeds from 1.
-double measureLitShare(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort, int pictures);
+double measureLitShare(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c,
+                       const CaseSampling& sampleCount, int pictures);
 
 /// Draws the case with the technique as it is set and judges it. As many pictures are drawn as leave no more noise than
 /// some hundredths.
-CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c, const CaseEffort& effort);
+CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c,
+                   const CaseSampling& sampleCount);
 
-/// The smallest gap between a caster and its receiver, in steps of 1, 2, 5, at which the shadow is kept (lit at most 1 %), all
-/// wider ones included; the light is 10 away. As a cell: right down to a thousandth of that distance, predicted down to the
-/// technique's own bias.
-CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const CaseEffort& effort);
+/// The smallest gap between a caster and its receiver, in steps of 1, 2, 5, at which the shadow is kept (lit at most 1
+/// %), all wider ones included; the light is 10 away. As a cell: right down to a thousandth of that distance, predicted
+/// down to the technique's own bias.
+CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const CaseSampling& sampleCount);
 
 /// A case that no technique takes part in.
 CaseResult runNumericCase(const ClosedFormCase& c);
 
-} // namespace timeshade
+}  // namespace timeshade

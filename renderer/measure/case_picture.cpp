@@ -4,13 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "measure/chart_canvas.h"
+#include "chart/chart_canvas.h"
 
 namespace timeshade {
 
 namespace {
 
-constexpr double textSize = 14.0, rowHeight = 24.0, nameWidth = 236.0, exactWidth = 76.0, cellWidth = 132.0, margin = 16.0;
+constexpr double textSize = 14.0, rowHeight = 24.0, nameWidth = 236.0, exactWidth = 76.0, cellWidth = 132.0,
+                 margin = 16.0;
 constexpr Rgb ink{32, 36, 42}, quiet{120, 126, 134}, ground{255, 255, 255}, rule{222, 226, 230};
 
 Rgb colorOf(Verdict verdict) {
@@ -33,14 +34,16 @@ class MatrixPicture {
     }
 
     DisplayImage draw() const {
-        const double width = 2.0 * margin + nameWidth + exactWidth + cellWidth * static_cast<double>(std::max<std::size_t>(techniques_.size(), 3));
+        const double width = 2.0 * margin + nameWidth + exactWidth +
+                             cellWidth * static_cast<double>(std::max<std::size_t>(techniques_.size(), 3));
         const double height = 2.0 * margin + rowHeight * static_cast<double>(cases_.size() + 3);
         ChartCanvas canvas(static_cast<int>(width), static_cast<int>(height), ground);
         const double top = margin;
         text(canvas, margin, top, "hard case", true, ink);
         text(canvas, margin + nameWidth, top, "exact", true, ink);
         for (std::size_t t = 0; t < techniques_.size(); ++t) text(canvas, cellLeft(t), top, techniques_[t], true, ink);
-        for (std::size_t c = 0; c < cases_.size(); ++c) drawRow(canvas, c, top + rowHeight * static_cast<double>(c + 1));
+        for (std::size_t c = 0; c < cases_.size(); ++c)
+            drawRow(canvas, c, top + rowHeight * static_cast<double>(c + 1));
         drawLegend(canvas, top + rowHeight * (static_cast<double>(cases_.size()) + 1.6));
         return canvas.picture();
     }
@@ -49,10 +52,14 @@ class MatrixPicture {
     static void addOnce(std::vector<std::string>& names, const std::string& name) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    static double cellLeft(std::size_t column) { return margin + nameWidth + exactWidth + cellWidth * static_cast<double>(column); }
+    static double cellLeft(std::size_t column) {
+        return margin + nameWidth + exactWidth + cellWidth * static_cast<double>(column);
+    }
 
     void text(ChartCanvas& canvas, double x, double top, const std::string& words, bool bold, Rgb color) const {
-        canvas.drawMask(fonts_.of(bold).render(words, textSize, x + 6.0, top + 0.5 * (rowHeight + fonts_.of(bold).capHeight(textSize))), color);
+        canvas.drawMask(fonts_.of(bold).render(words, textSize, x + 6.0,
+                                               top + 0.5 * (rowHeight + fonts_.of(bold).capHeight(textSize))),
+                        color);
     }
 
     void drawRow(ChartCanvas& canvas, std::size_t c, double top) const {
@@ -66,7 +73,8 @@ class MatrixPicture {
                 drawCell(canvas, 0, top, r, fmt::format("{:.4f} code", r.value));
                 continue;
             }
-            const auto column = static_cast<std::size_t>(std::find(techniques_.begin(), techniques_.end(), r.technique) - techniques_.begin());
+            const auto column = static_cast<std::size_t>(
+                std::find(techniques_.begin(), techniques_.end(), r.technique) - techniques_.begin());
             std::string words = r.verdict == Verdict::NotTaken ? "" : fmt::format("{:.4f}", r.value);
             if (r.verdict == Verdict::Predicted) words += fmt::format(" ({:.3f})", r.predicted);
             drawCell(canvas, column, top, r, words);
@@ -75,14 +83,17 @@ class MatrixPicture {
         canvas.drawLine(line, {1.0, rule, 1.0, 0.0});
     }
 
-    void drawCell(ChartCanvas& canvas, std::size_t column, double top, const CaseResult& r, const std::string& words) const {
+    void drawCell(ChartCanvas& canvas, std::size_t column, double top, const CaseResult& r,
+                  const std::string& words) const {
         const double left = cellLeft(column);
         canvas.fillBox({left + 1.0, top + 1.0, left + cellWidth - 1.0, top + rowHeight - 1.0}, colorOf(r.verdict));
         text(canvas, left, top, words, r.verdict == Verdict::Wrong, ink);
     }
 
     void drawLegend(ChartCanvas& canvas, double top) const {
-        const std::pair<Verdict, const char*> entries[] = {{Verdict::Right, "right"}, {Verdict::Predicted, "off as predicted (by how it works)"}, {Verdict::Wrong, "wrong"}};
+        const std::pair<Verdict, const char*> entries[] = {{Verdict::Right, "right"},
+                                                           {Verdict::Predicted, "off as predicted (by how it works)"},
+                                                           {Verdict::Wrong, "wrong"}};
         double x = margin;
         for (const auto& [verdict, words] : entries) {
             canvas.fillBox({x, top + 4.0, x + 16.0, top + rowHeight - 4.0}, colorOf(verdict));
@@ -96,8 +107,8 @@ class MatrixPicture {
     ChartFonts fonts_;
 };
 
-} // namespace
+}  // namespace
 
 DisplayImage drawCaseMatrix(const std::vector<CaseResult>& results) { return MatrixPicture(results).draw(); }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -11,4 +11,4 @@ namespace timeshade {
 /// its verdict; where a failure was predicted, the prediction stands behind it.
 DisplayImage drawCaseMatrix(const std::vector<CaseResult>& results);
 
-} // namespace timeshade
+}  // namespace timeshade

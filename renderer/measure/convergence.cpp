@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "measure/metrics.h"
-#include "measure/truth_technique.h"
+#include "measure/reference_technique.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -34,13 +34,14 @@ std::vector<ConvergenceCurve> historyCurves() {
 }
 
 DisplayImage referencePicture(FrameRenderer& renderer, const FramePlan& plan) {
-    TruthTechnique truth;
+    ReferenceTechnique truth;
     renderer.draw(plan, truth, View::Final);
     return renderer.readPicture();
 }
 
-void measureConvergence(FrameRenderer& renderer, const std::vector<FramePlan>& approach, const FramePlan& plan, const DisplayImage& reference,
-                        const std::string& name, const std::vector<std::pair<std::string, std::string>>& settings,
+void measureConvergence(FrameRenderer& renderer, const std::vector<FramePlan>& approach, const FramePlan& plan,
+                        const DisplayImage& reference, const std::string& name,
+                        const std::vector<std::pair<std::string, std::string>>& settings,
                         const std::vector<int>& frames, ConvergenceCurve& curve) {
     const std::unique_ptr<Technique> technique = makeTechnique(name, renderer.programs());
     for (const auto* list : {&settings, &std::as_const(curve.settings)})
@@ -75,11 +76,13 @@ std::string convergenceTable(const std::vector<ConvergenceCurve>& curves, const 
 std::string convergenceCsv(const std::vector<ConvergenceCurve>& curves, const std::vector<int>& frames) {
     std::string text = "curve,frames,percent_off_by_30\n";
     for (const ConvergenceCurve& curve : curves)
-        for (std::size_t i = 0; i < frames.size(); ++i) text += fmt::format("\"{}\",{},{:.6g}\n", curve.name, frames[i], curve.offBy30[i]);
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            text += fmt::format("\"{}\",{},{:.6g}\n", curve.name, frames[i], curve.offBy30[i]);
     return text;
 }
 
-Chart convergenceChart(const std::string& scene, const std::vector<ConvergenceCurve>& curves, const std::vector<int>& frames) {
+Chart convergenceChart(const std::string& scene, const std::vector<ConvergenceCurve>& curves,
+                       const std::vector<int>& frames) {
     Chart chart;
     chart.title = scene + ": pixels off by more than 30 of 255 while the camera stands";
     chart.subtitle = "against the ray-traced hard shadow; from an empty history where nothing else is said";
@@ -88,10 +91,11 @@ Chart convergenceChart(const std::string& scene, const std::vector<ConvergenceCu
     chart.slopes = {{-0.5, "1 / √n"}, {-1.0, "1 / n"}};
     for (const ConvergenceCurve& curve : curves) {
         ChartSeries series{curve.name, {}};
-        for (std::size_t i = 0; i < frames.size(); ++i) series.points.push_back({static_cast<double>(frames[i]), curve.offBy30[i], ""});
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            series.points.push_back({static_cast<double>(frames[i]), curve.offBy30[i], ""});
         chart.series.push_back(std::move(series));
     }
     return chart;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -10,7 +10,8 @@ namespace timeshade {
 namespace {
 
 const std::uint8_t* pixelOf(const DisplayImage& image, int x, int y) {
-    return &image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x))];
+    return &image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x))];
 }
 
 bool isWrong(const std::uint8_t* a, const std::uint8_t* b) {
@@ -19,7 +20,7 @@ bool isWrong(const std::uint8_t* a, const std::uint8_t* b) {
     return false;
 }
 
-} // namespace
+}  // namespace
 
 PixelSquare worstSquare(const DisplayImage& picture, const DisplayImage& reference, int side) {
     side = std::min({side, picture.width, picture.height});
@@ -30,7 +31,8 @@ PixelSquare worstSquare(const DisplayImage& picture, const DisplayImage& referen
         for (int left = 0; left + side <= picture.width; left += step) {
             int wrong = 0;
             for (int y = top; y < top + side; ++y)
-                for (int x = left; x < left + side; ++x) wrong += isWrong(pixelOf(picture, x, y), pixelOf(reference, x, y)) ? 1 : 0;
+                for (int x = left; x < left + side; ++x)
+                    wrong += isWrong(pixelOf(picture, x, y), pixelOf(reference, x, y)) ? 1 : 0;
             if (wrong <= most) continue;
             most = wrong;
             worst.x = left;
@@ -48,11 +50,14 @@ DisplayImage detailStrip(const std::vector<std::vector<DisplayImage>>& rows, con
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             if (x % pitch == pitch - 1 || y % pitch == pitch - 1) continue;
-            const DisplayImage& picture = rows[static_cast<std::size_t>(y / pitch)][static_cast<std::size_t>(x / pitch)];
+            const DisplayImage& picture =
+                rows[static_cast<std::size_t>(y / pitch)][static_cast<std::size_t>(x / pitch)];
             const std::uint8_t* from = pixelOf(picture, square.x + x % pitch / zoom, square.y + y % pitch / zoom);
-            std::copy_n(from, 3, &out.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x))]);
+            std::copy_n(from, 3,
+                        &out.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) +
+                                      static_cast<std::size_t>(x))]);
         }
     return out;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

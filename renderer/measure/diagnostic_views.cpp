@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "measure/picture_strip.h"
-#include "scene/error.h"
 #include "shared/heat_color.shared.h"
 
 namespace timeshade {
@@ -17,11 +17,15 @@ constexpr double decades = 4.0;
 constexpr Rgb falseShadowColor{40, 120, 255}, falseLitColor{255, 150, 20};
 
 Rgb fromOklab(double lightness, double chroma, double hueDegrees) {
-    return eightBits(shared::srgbOfOklab(static_cast<float>(lightness), static_cast<float>(chroma), static_cast<float>(hueDegrees * 3.14159265358979 / 180.0)));
+    return eightBits(shared::srgbOfOklab(static_cast<float>(lightness), static_cast<float>(chroma),
+                                         static_cast<float>(hueDegrees * 3.14159265358979 / 180.0)));
 }
 
 /// 0: nearly black, by way of violet and orange, 1: pale yellow.
-Rgb errorColor(double t) { return fromOklab(0.08 + 0.88 * t, 0.19 * std::pow(std::sin(3.14159265 * (0.08 + 0.84 * t)), 0.8), 300.0 + 165.0 * t); }
+Rgb errorColor(double t) {
+    return fromOklab(0.08 + 0.88 * t, 0.19 * std::pow(std::sin(3.14159265 * (0.08 + 0.84 * t)), 0.8),
+                     300.0 + 165.0 * t);
+}
 
 void setPixel(DisplayImage& image, std::size_t pixel, Rgb color) {
     image.rgb[3 * pixel] = color.red;
@@ -42,25 +46,31 @@ DisplayImage enlargedBy(const DisplayImage& picture, int factor) {
     return large;
 }
 
-std::uint8_t mix(double from, double to, double share) { return static_cast<std::uint8_t>(std::lround(from + (to - from) * share)); }
+std::uint8_t mix(double from, double to, double share) {
+    return static_cast<std::uint8_t>(std::lround(from + (to - from) * share));
+}
 
-} // namespace
+}  // namespace
 
 DisplayImage errorView(const LinearImage& image, const LinearImage& reference, double fullScale, int enlarged) {
     if (image.width != reference.width || image.height != reference.height)
-        throw Error(fmt::format("a picture of {} x {} cannot be compared with a reference of {} x {}", image.width, image.height,
-                                reference.width, reference.height));
+        throw Error(fmt::format("a picture of {} x {} cannot be compared with a reference of {} x {}", image.width,
+                                image.height, reference.width, reference.height));
     DisplayImage out{image.width, image.height, std::vector<std::uint8_t>(image.rgb.size())};
     for (std::size_t pixel = 0; pixel < image.rgb.size() / 3; ++pixel) {
         double difference = 0.0;
         for (std::size_t c = 0; c < 3; ++c)
-            difference = std::max(difference, std::abs(static_cast<double>(image.rgb[3 * pixel + c]) - static_cast<double>(reference.rgb[3 * pixel + c])));
-        setPixel(out, pixel, errorColor(difference > 0.0 ? std::clamp(1.0 + std::log10(difference / fullScale) / decades, 0.0, 1.0) : 0.0));
+            difference = std::max(difference, std::abs(static_cast<double>(image.rgb[3 * pixel + c]) -
+                                                       static_cast<double>(reference.rgb[3 * pixel + c])));
+        setPixel(out, pixel,
+                 errorColor(difference > 0.0 ? std::clamp(1.0 + std::log10(difference / fullScale) / decades, 0.0, 1.0)
+                                             : 0.0));
     }
     out = enlargedBy(out, enlarged);
     return withStrip(out, [&](ChartCanvas& canvas, const ChartFont& font) {
         const double left = 12.0, right = std::max(left + 1.0, out.width - 12.0);
-        for (double x = left; x < right; x += 1.0) canvas.fillBox({x, 4.0, x + 1.0, 14.0}, errorColor((x + 0.5 - left) / (right - left)));
+        for (double x = left; x < right; x += 1.0)
+            canvas.fillBox({x, 4.0, x + 1.0, 14.0}, errorColor((x + 0.5 - left) / (right - left)));
         for (int decade = 0; decade <= 4; ++decade) {
             const std::string text = fmt::format("{:g}", fullScale * std::pow(10.0, decade - decades));
             const double x = left + (right - left) * decade / decades, width = font.width(text, 12.0);
@@ -74,7 +84,9 @@ DisagreementView::DisagreementView(int width, int height)
 
 void DisagreementView::add(const VerifiedSample& sample) {
     if (!sample.truth.tested) return;
-    Counts& counts = pixels_[(static_cast<std::size_t>(height_) - 1 - sample.index.y) * static_cast<std::size_t>(width_) + sample.index.x];
+    Counts& counts =
+        pixels_[(static_cast<std::size_t>(height_) - 1 - sample.index.y) * static_cast<std::size_t>(width_) +
+                sample.index.x];
     ++counts.tested;
     const bool lit = sample.lit >= 0.5f;
     if (lit != sample.truth.lit) ++(lit ? counts.falseLit : counts.falseShadow);
@@ -87,12 +99,16 @@ DisplayImage DisagreementView::draw(const DisplayImage& picture, int enlarged) c
         const Counts& counts = pixels_[pixel];
         falseShadow += counts.falseShadow;
         falseLit += counts.falseLit;
-        const double grey = 0.5 * (0.2126 * out.rgb[3 * pixel] + 0.7152 * out.rgb[3 * pixel + 1] + 0.0722 * out.rgb[3 * pixel + 2]);
-        const double tested = std::max(1u, counts.tested), shadow = counts.falseShadow / tested, lit = counts.falseLit / tested;
+        const double grey =
+            0.5 * (0.2126 * out.rgb[3 * pixel] + 0.7152 * out.rgb[3 * pixel + 1] + 0.0722 * out.rgb[3 * pixel + 2]);
+        const double tested = std::max(1u, counts.tested), shadow = counts.falseShadow / tested,
+                     lit = counts.falseLit / tested;
         // The root lets one wrong sample of many be seen.
         const double strength = std::sqrt(shadow + lit), part = shadow + lit > 0.0 ? lit / (shadow + lit) : 0.0;
-        setPixel(out, pixel, {mix(grey, mix(falseShadowColor.red, falseLitColor.red, part), strength), mix(grey, mix(falseShadowColor.green, falseLitColor.green, part), strength),
-                              mix(grey, mix(falseShadowColor.blue, falseLitColor.blue, part), strength)});
+        setPixel(out, pixel,
+                 {mix(grey, mix(falseShadowColor.red, falseLitColor.red, part), strength),
+                  mix(grey, mix(falseShadowColor.green, falseLitColor.green, part), strength),
+                  mix(grey, mix(falseShadowColor.blue, falseLitColor.blue, part), strength)});
     }
     out = enlargedBy(out, enlarged);
     return withStrip(out, [&](ChartCanvas& canvas, const ChartFont& font) {
@@ -104,4 +120,4 @@ DisplayImage DisagreementView::draw(const DisplayImage& picture, int enlarged) c
     });
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -17,4 +17,4 @@ DisplayImage displayed(const LinearImage& image, bool toneMapped) {
     return out;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

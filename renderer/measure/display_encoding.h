@@ -8,4 +8,4 @@ namespace timeshade {
 /// sRGB encoding where toneMapped, sRGB encoding alone where not.
 DisplayImage displayed(const LinearImage& image, bool toneMapped);
 
-} // namespace timeshade
+}  // namespace timeshade

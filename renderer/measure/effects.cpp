@@ -18,7 +18,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int uncountedFrames = 2;  // programs are compiled in the first, and what is kept is drawn in the second
 
-double millisecondsSince(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
 
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -27,8 +29,12 @@ double median(std::vector<double> values) {
 
 /// One row while it is being played.
 struct Player {
-    Player(std::string effect, const std::string& technique, std::unique_ptr<const Scene> played, FrameRequest frameRequest)
-        : scene(std::move(played)), planner(*scene), request(frameRequest), drawn(TechniqueVariant::of(technique).make({}, renderer.programs())) {
+    Player(std::string effect, const std::string& technique, std::unique_ptr<const Scene> played,
+           FrameRequest frameRequest)
+        : scene(std::move(played)),
+          planner(*scene),
+          request(frameRequest),
+          drawn(TechniqueVariant::of(technique).make({}, renderer.programs())) {
         row.effect = std::move(effect);
         row.technique = technique;
     }
@@ -44,10 +50,11 @@ struct Player {
         const Clock::time_point again = Clock::now();
         memory.update(plan.texels, {plan.camera, plan.light, plan.block});
         const double decided = millisecondsSince(again);
-        row.movingCasters = std::max(row.movingCasters, plan.light.moving.count());
-        row.movingSeen = std::max(row.movingSeen, plan.camera.moving.count());
+        row.dynamicCasters = std::max(row.dynamicCasters, plan.light.dynamicTriangles.count());
+        row.movingSeen = std::max(row.movingSeen, plan.camera.dynamicTriangles.count());
         row.passes.clear();
-        for (const PassDecision& pass : drawn->passes(plan)) row.passes.push_back(pass.triangles > 0 ? fmt::format("{} ({})", pass.name, pass.triangles) : pass.name);
+        for (const PassDecision& pass : drawn->passes(plan))
+            row.passes.push_back(pass.triangles > 0 ? fmt::format("{} ({})", pass.name, pass.triangles) : pass.name);
         renderer.draw(std::move(plan), *drawn, View::Final);
         const std::vector<gl::PassTimer::Reading> readings = renderer.timer().finishFrame();
         if (frame < uncountedFrames) return;
@@ -60,7 +67,7 @@ struct Player {
 
     EffectRow finish() {
         for (const auto& [name, values] : times) row.milliseconds[name] = median(values);
-        for (const TechniqueFigure& figure : drawn->figures()) row.figures[figure.name] = figure.value;
+        for (const TechniqueStatistic& figure : drawn->statistics()) row.statistics[figure.name] = figure.value;
         row.bytes = renderer.memory().total();
         return row;
     }
@@ -68,36 +75,39 @@ struct Player {
     std::unique_ptr<const Scene> scene;
     FrameRenderer renderer;
     FramePlanner planner;
-    MotionMemory memory;
+    MotionClassifier memory;
     FrameRequest request;
     std::unique_ptr<Technique> drawn;
     EffectRow row;
     std::map<std::string, std::vector<double>> times;
 };
 
-std::vector<bool> bendingInstances(const FramePlan& plan) {
+std::vector<bool> nonTranslatingInstances(const FramePlan& plan) {
     const MeshTopology& topology = *plan.mesh->topology;
-    std::vector<bool> bending(topology.instanceCount);
+    std::vector<bool> nonTranslating(topology.instanceCount);
     for (std::size_t i = 0; i < plan.triangles->size(); ++i)
-        if ((*plan.triangles)[i].bends) bending[topology.triangleInstances[i]] = true;
-    return bending;
+        if ((*plan.triangles)[i].nonTranslating) nonTranslating[topology.triangleInstances[i]] = true;
+    return nonTranslating;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<EffectRow> measureEffects(const Scene& scene, const FrameRequest& request, const EffectOptions& options) {
     const FramePlan asItIs = FramePlanner(scene).plan(request);
     const double seconds = request.shutter.openSeconds(request.frame);
     std::vector<std::unique_ptr<Player>> players;
     const auto add = [&](const char* effect, const std::string& technique, Held held, const FrameRequest& asked) {
-        players.push_back(std::make_unique<Player>(effect, technique, std::make_unique<HeldScene>(scene, held, seconds, bendingInstances(asItIs)), asked));
+        players.push_back(std::make_unique<Player>(
+            effect, technique, std::make_unique<HeldScene>(scene, held, seconds, nonTranslatingInstances(asItIs)),
+            asked));
     };
-    FrameRequest unplanned = request, closed = request;
-    unplanned.planned = false;
+    FrameRequest forcedDynamic = request, closed = request;
+    forcedDynamic.forceDynamic = true;
     closed.shutter.length = 0.0;
-    add("nothing planned", options.technique, {}, unplanned);
+    add("nothing planned", options.technique, {}, forcedDynamic);
     add("as it is", options.technique, {}, request);
-    if (asItIs.motion.bendingInstances > 0) add("deformation and turns held", options.technique, {.deformation = true}, request);
+    if (asItIs.motion.nonTranslatingInstances > 0)
+        add("deformation and turns held", options.technique, {.deformation = true}, request);
     if (asItIs.motion.movingTriangles > 0) add("objects held", options.technique, {.objects = true}, request);
     if (asItIs.motion.lightMoves) add("light held", options.technique, {.light = true}, request);
     if (asItIs.motion.cameraMoves) add("camera held", options.technique, {.camera = true}, request);
@@ -109,29 +119,35 @@ std::vector<EffectRow> measureEffects(const Scene& scene, const FrameRequest& re
     // Interleaved, so that what else the machine does falls on all of them.
     for (int frame = 0; frame < options.frames; ++frame) {
         for (std::size_t i = 0; i < players.size(); ++i) {
-            if (options.progress) options.progress(frame * static_cast<int>(players.size()) + static_cast<int>(i), options.frames * static_cast<int>(players.size()));
+            if (options.progress)
+                options.progress(frame * static_cast<int>(players.size()) + static_cast<int>(i),
+                                 options.frames * static_cast<int>(players.size()));
             players[i]->play(frame);
         }
     }
     std::vector<EffectRow> rows;
     for (const auto& player : players) rows.push_back(player->finish());
-    for (EffectRow& row : rows) row.unplannedShare = row.milliseconds["frame"] / rows.front().milliseconds["frame"];
+    for (EffectRow& row : rows) row.forcedShare = row.milliseconds["frame"] / rows.front().milliseconds["frame"];
     return rows;
 }
 
 std::string effectsTable(const std::vector<EffectRow>& rows) {
-    std::string text = "| | technique | moving casters | moving seen | plan | of it deciding | sample | build | lookup | shade | frame ms | of unplanned | MiB | passes |\n"
-                       "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
+    std::string text =
+        "| | technique | moving casters | moving seen | plan | of it deciding | sample | build | lookup | shade | "
+        "frame ms | of unplanned | MiB | passes |\n"
+        "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
     for (const EffectRow& row : rows) {
         const auto time = [&](const char* name) {
             const auto found = row.milliseconds.find(name);
             return found == row.milliseconds.end() ? std::string("-") : fmt::format("{:.1f}", found->second);
         };
-        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {:.2f} | {:.1f} | {} |\n", row.effect, row.technique, row.movingCasters,
-                            row.movingSeen, time("plan"), time("decide"), time("sample"), time("build"), time("lookup"), time("shade"), time("frame"),
-                            row.unplannedShare, static_cast<double>(row.bytes) / (1024.0 * 1024.0), fmt::join(row.passes, ", "));
+        text +=
+            fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {:.2f} | {:.1f} | {} |\n", row.effect,
+                        row.technique, row.dynamicCasters, row.movingSeen, time("plan"), time("decide"), time("sample"),
+                        time("build"), time("lookup"), time("shade"), time("frame"), row.forcedShare,
+                        static_cast<double>(row.bytes) / (1024.0 * 1024.0), fmt::join(row.passes, ", "));
     }
     return text;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

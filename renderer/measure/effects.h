@@ -13,14 +13,16 @@ namespace timeshade {
 
 /// One scene with something left out, or put in: what an effect costs is the difference to the scene as it is.
 struct EffectRow {
-    std::string effect;     ///< for people: "as it is", "light held"
-    std::string technique;  ///< a TechniqueVariant
-    std::size_t movingCasters = 0, movingSeen = 0;  ///< most of any frame: triangles that move for the light and for the camera, as far as they are drawn
-    std::vector<std::string> passes;  ///< of the last frame
-    std::map<std::string, double> milliseconds;  ///< medians over the frames: "plan", "decide", "sample", "build", "lookup", "shade", "frame"
-    std::map<std::string, double> figures;       ///< of the last frame: fragments, entries
+    std::string effect;                              ///< for people: "as it is", "light held"
+    std::string technique;                           ///< a TechniqueVariant
+    std::size_t dynamicCasters = 0, movingSeen = 0;  ///< most of any frame: triangles that move for the light and for
+                                                     ///< the camera, as far as they are drawn
+    std::vector<std::string> passes;                 ///< of the last frame
+    std::map<std::string, double>
+        milliseconds;  ///< medians over the frames: "plan", "decide", "sample", "build", "lookup", "shade", "frame"
+    std::map<std::string, double> statistics;  ///< of the last frame: fragments, entries
     std::size_t bytes = 0;
-    double unplannedShare = 0.0;  ///< frame time over that of --no-plan, medians of the same frames
+    double forcedShare = 0.0;  ///< frame time over that of --no-plan, medians of the same frames
 };
 
 struct EffectOptions {
@@ -29,12 +31,12 @@ struct EffectOptions {
     std::function<void(int done, int total)> progress;
 };
 
-/// Plays the scene from the request's frame on, row by row in turn, frame by frame: each row has a renderer of its own, so that each keeps
-/// what it would keep. Rows: as it is; deformation, objects, light, camera held, each where it moves at all; nothing moves; shutter closed; and `static`
-/// with and without PCF, and `history`, for what these cost.
+/// Plays the scene from the request's frame on, row by row in turn, frame by frame: each row has a renderer of its own,
+/// so that each keeps what it would keep. Rows: as it is; deformation, objects, light, camera held, each where it moves
+/// at all; nothing moves; shutter closed; and `static` with and without PCF, and `history`, for what these cost.
 std::vector<EffectRow> measureEffects(const Scene& scene, const FrameRequest& request, const EffectOptions& options);
 
 /// As a table in Markdown, one line a row.
 std::string effectsTable(const std::vector<EffectRow>& rows);
 
-} // namespace timeshade
+}  // namespace timeshade

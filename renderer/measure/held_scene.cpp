@@ -2,12 +2,13 @@
 
 namespace timeshade {
 
-HeldScene::HeldScene(const Scene& scene, Held held, double seconds, std::vector<bool> bending) : scene_(scene), held_(held), seconds_(seconds) {
+HeldScene::HeldScene(const Scene& scene, Held held, double seconds, std::vector<bool> nonTranslating)
+    : scene_(scene), held_(held), seconds_(seconds) {
     if (!held_.deformation) return;
     const MotionMesh mesh = scene.motionMesh(seconds, seconds);
     heldVertices_.assign(mesh.topology->vertexCount, false);
     for (std::size_t i = 0; i < mesh.topology->triangles.size(); ++i) {
-        if (!bending[mesh.topology->triangleInstances[i]]) continue;
+        if (!nonTranslating[mesh.topology->triangleInstances[i]]) continue;
         const glm::u32vec3 corners = mesh.topology->triangles[i];
         for (int c = 0; c < 3; ++c) heldVertices_[corners[c]] = true;
     }
@@ -26,4 +27,4 @@ MotionMesh HeldScene::motionMesh(double openSeconds, double closeSeconds) const 
     return mesh;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

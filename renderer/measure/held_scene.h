@@ -14,11 +14,11 @@ struct Held {
     bool camera = false;
 };
 
-/// A scene some of whose motion is left out: that part stays as it is at one moment. `bending`, of the topology's instances: which are held
-/// with the deformation.
+/// A scene some of whose motion is left out: that part stays as it is at one moment. `bending`, of the topology's
+/// instances: which are held with the deformation.
 class HeldScene final : public Scene {
   public:
-    HeldScene(const Scene& scene, Held held, double seconds, std::vector<bool> bending);
+    HeldScene(const Scene& scene, Held held, double seconds, std::vector<bool> nonTranslating);
 
     const std::string& name() const override { return scene_.name(); }
     double duration() const override { return scene_.duration(); }
@@ -26,10 +26,14 @@ class HeldScene final : public Scene {
     const std::vector<Material>& materials() const override { return scene_.materials(); }
     const std::vector<Image>& images() const override { return scene_.images(); }
     const std::vector<CameraBookmark>& cameras() const override { return scene_.cameras(); }
-    CameraPose camera(std::size_t index, double seconds) const override { return scene_.camera(index, held_.camera ? seconds_ : seconds); }
+    CameraPose camera(std::size_t index, double seconds) const override {
+        return scene_.camera(index, held_.camera ? seconds_ : seconds);
+    }
     LightPose light(double seconds) const override { return scene_.light(held_.light ? seconds_ : seconds); }
     MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
-    double heldCloseSeconds(double openSeconds, double closeSeconds) const override { return scene_.heldCloseSeconds(openSeconds, closeSeconds); }
+    double heldCloseSeconds(double openSeconds, double closeSeconds) const override {
+        return scene_.heldCloseSeconds(openSeconds, closeSeconds);
+    }
     const Bounds& bounds() const override { return scene_.bounds(); }
     const std::vector<std::string>& notes() const override { return scene_.notes(); }
 
@@ -40,4 +44,4 @@ class HeldScene final : public Scene {
     std::vector<bool> heldVertices_;  ///< with the deformation
 };
 
-} // namespace timeshade
+}  // namespace timeshade

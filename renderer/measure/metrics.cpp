@@ -1,6 +1,6 @@
 #include "measure/metrics.h"
 
-#include "scene/error.h"
+#include "core/error.h"
 
 #include <fmt/format.h>
 
@@ -22,9 +22,10 @@ void requireWhole(const Image& image) {
     const std::size_t expected =
         positive ? static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels : 0;
     if (!positive || image.rgb.size() != expected) {
-        throw Error(fmt::format("cannot compare images: one of {}x{} pixels holds {} values, expected 3 for each of at "
-                                "least one pixel",
-                                image.width, image.height, image.rgb.size()));
+        throw Error(
+            fmt::format("cannot compare images: one of {}x{} pixels holds {} values, expected 3 for each of at "
+                        "least one pixel",
+                        image.width, image.height, image.rgb.size()));
     }
 }
 
@@ -51,7 +52,7 @@ double nearestRank999(std::vector<double>& values) {
     return *position;
 }
 
-} // namespace
+}  // namespace
 
 ErrorMetrics compareImages(const LinearImage& image, const LinearImage& reference) {
     requireComparable(image, reference);
@@ -171,4 +172,4 @@ std::optional<double> logLogSlope(std::span<const double> x, std::span<const dou
     return covariance / variance;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -17,12 +17,12 @@ inline constexpr int visibleLevels = 30;
 /// How far an image is from its reference. With x a value of the image, r of the reference at the same pixel and
 /// channel, d = x - r in linear light, and n = 3 * width * height values, all weighted alike:
 struct ErrorMetrics {
-    double rmse = 0.0;          ///< sqrt(mean d²)
-    double relativeMse = 0.0;   ///< mean of d² / (r² + relativeMseEpsilon)
-    double psnr = 0.0;          ///< decibels for a peak of 1: -20 log10(rmse); +infinity where the images are equal
-    double meanAbsolute = 0.0;  ///< mean |d|
-    double p999 = 0.0;          ///< 99.9th percentile by nearest rank: the smallest |d| of the image that at least
-                                ///< 0.999 n of all |d| do not exceed; below 1000 values this is the largest |d|
+    double rmse = 0.0;              ///< sqrt(mean d²)
+    double relativeMse = 0.0;       ///< mean of d² / (r² + relativeMseEpsilon)
+    double psnr = 0.0;              ///< decibels for a peak of 1: -20 log10(rmse); +infinity where the images are equal
+    double meanAbsolute = 0.0;      ///< mean |d|
+    double p999 = 0.0;              ///< 99.9th percentile by nearest rank: the smallest |d| of the image that at least
+                                    ///< 0.999 n of all |d| do not exceed; below 1000 values this is the largest |d|
     std::optional<double> offBy30;  ///< shareOffBy(.., visibleLevels); none where no display images were given
 };
 
@@ -44,9 +44,9 @@ struct BiasAndNoise {
     double noise = 0.0;      ///< sqrt(mean over values of the variance between seeds, with divisor m - 1): the RMS
                              ///< distance of one image from the mean of infinitely many
     double meanError = 0.0;  ///< RMS over values of (mean over seeds - reference), as measured: bias and leftover noise
-    double bias = 0.0;       ///< sqrt(max(0, meanError² - noise² / m)). Noise alone makes meanError² = noise² / m on
-                             ///< average, so this square is unbiased until it is cut at 0. The reference's own
-                             ///< error counts as bias
+    double bias = 0.0;  ///< sqrt(max(0, meanError² - noise² / m)). Noise alone makes meanError² = noise² / m on
+                        ///< average, so this square is unbiased until it is cut at 0. The reference's own
+                        ///< error counts as bias
 };
 
 /// `seeds` are images of one frame that differ in the seed only. NaN and infinity poison all three, as above. Throws
@@ -58,4 +58,4 @@ BiasAndNoise biasAndNoise(std::span<const LinearImage> seeds, const LinearImage&
 /// left. Throws Error where x and y differ in number.
 std::optional<double> logLogSlope(std::span<const double> x, std::span<const double> y);
 
-} // namespace timeshade
+}  // namespace timeshade

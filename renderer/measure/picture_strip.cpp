@@ -7,7 +7,7 @@ namespace timeshade {
 namespace {
 constexpr int stripHeight = 34;
 constexpr double letterSize = 12.0;
-} // namespace
+}  // namespace
 
 DisplayImage withStrip(const DisplayImage& picture, const std::function<void(ChartCanvas&, const ChartFont&)>& draw) {
     ChartCanvas canvas(picture.width, stripHeight, Rgb{20, 20, 24});
@@ -30,4 +30,4 @@ Rgb eightBits(const glm::vec3& color) {
     return {bits(color.x), bits(color.y), bits(color.z)};
 }
 
-} // namespace timeshade
+}  // namespace timeshade

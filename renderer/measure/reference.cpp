@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "core/sha256.h"
 #include "gl/shader_source.h"
-#include "measure/sha256.h"
-#include "measure/truth_technique.h"
+#include "measure/reference_technique.h"
 
 namespace timeshade {
 
@@ -72,7 +72,7 @@ FramePlan batchPlan(const FramePlan& plan, int batch) {
     return drawn;
 }
 
-} // namespace
+}  // namespace
 
 std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options) {
     shared::FrameBlock block = plan.block;
@@ -83,13 +83,17 @@ std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options)
     Digest frame;
     frame.bytes(&block, sizeof block);
     frame.bytes(&plan.camera.block, sizeof plan.camera.block);
-    return fmt::format("reference 1; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}", sceneDigest(plan), frame.text(),
-                       shaderDigest(), plan.request.width, plan.request.height, batchesOf(options), maximumSamplesPerPixel,
+    return fmt::format("reference 1; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}",
+                       sceneDigest(plan), frame.text(), shaderDigest(), plan.request.width, plan.request.height,
+                       batchesOf(options), maximumSamplesPerPixel,
                        options.view == View::Final ? "final" : "visibility");
 }
 
 ReferenceBuilder::ReferenceBuilder(FramePlan plan, const ReferenceOptions& options, const ReferenceCache& cache)
-    : plan_(std::move(plan)), view_(options.view), cache_(cache), key_(referenceKey(plan_, options)),
+    : plan_(std::move(plan)),
+      view_(options.view),
+      cache_(cache),
+      key_(referenceKey(plan_, options)),
       batches_(batchesOf(options)) {}
 
 ReferenceBuilder::~ReferenceBuilder() = default;
@@ -98,10 +102,11 @@ bool ReferenceBuilder::step(FrameRenderer& renderer) {
     if (complete()) return true;
     if (!soughtInCache_) {
         soughtInCache_ = true;
-        if (std::optional<LinearImage> cached = cache_.load(key_, plan_.request.width, plan_.request.height)) image_ = std::move(*cached);
+        if (std::optional<LinearImage> cached = cache_.load(key_, plan_.request.width, plan_.request.height))
+            image_ = std::move(*cached);
         return complete();
     }
-    if (!truth_) truth_ = std::make_unique<TruthTechnique>();
+    if (!truth_) truth_ = std::make_unique<ReferenceTechnique>();
     renderer.draw(batchPlan(plan_, done_), *truth_, view_);
     const LinearImage batch = renderer.readRadiance();
     renderer.timer().finishFrame();  // a reference's times are nobody's measurement
@@ -118,14 +123,16 @@ void ReferenceBuilder::finish() {
     truth_.reset();  // and with it all that the ray tracer holds
 }
 
-LinearImage referenceImage(FrameRenderer& renderer, const FramePlan& plan, const ReferenceOptions& options, ReferenceCache& cache) {
+LinearImage referenceImage(FrameRenderer& renderer, const FramePlan& plan, const ReferenceOptions& options,
+                           ReferenceCache& cache) {
     ReferenceBuilder builder(plan, options, cache);
     int told = 0;
     while (!builder.step(renderer)) {
-        if (options.progress && builder.batchesDone() > told) options.progress(told = builder.batchesDone(), builder.batches());
+        if (options.progress && builder.batchesDone() > told)
+            options.progress(told = builder.batchesDone(), builder.batches());
     }
     if (options.progress && builder.batchesDone() > told) options.progress(builder.batchesDone(), builder.batches());
     return builder.image();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

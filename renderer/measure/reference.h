@@ -12,12 +12,12 @@ namespace timeshade {
 
 /// A converged picture of a frame: many stratified camera samples per pixel, each with the oracle's truth.
 struct ReferenceOptions {
-    int samplesPerPixel = 256;  ///< rounded up to whole batches of maximumSamplesPerPixel
-    View view = View::Final;    ///< Visibility: the lit share alone
+    int samplesPerPixel = 256;               ///< rounded up to whole batches of maximumSamplesPerPixel
+    View view = View::Final;                 ///< Visibility: the lit share alone
     std::function<void(int, int)> progress;  ///< batches done, of how many
 };
 
-class TruthTechnique;
+class ReferenceTechnique;
 
 /// Makes a reference a batch at a time, so that a window stays alive meanwhile. The cache must outlive it.
 class ReferenceBuilder {
@@ -43,7 +43,7 @@ class ReferenceBuilder {
     FramePlan plan_;
     View view_;
     const ReferenceCache& cache_;
-    std::unique_ptr<TruthTechnique> truth_;
+    std::unique_ptr<ReferenceTechnique> truth_;
     std::string key_;
     int batches_, done_ = 0;
     bool soughtInCache_ = false;
@@ -53,9 +53,10 @@ class ReferenceBuilder {
 
 /// Draws the reference, or takes it from the cache. The key holds everything that the picture depends on: mesh, light,
 /// camera, materials, size, samples, shading version.
-LinearImage referenceImage(FrameRenderer& renderer, const FramePlan& plan, const ReferenceOptions& options, ReferenceCache& cache);
+LinearImage referenceImage(FrameRenderer& renderer, const FramePlan& plan, const ReferenceOptions& options,
+                           ReferenceCache& cache);
 
 /// The cache key: two frames with one key have one reference.
 std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,7 +1,7 @@
 #include "measure/reference_cache.h"
 
+#include "core/sha256.h"
 #include "image/file_bytes.h"
-#include "measure/sha256.h"
 #include "measure/user_folder.h"
 
 #include <fmt/format.h>
@@ -48,17 +48,13 @@ Header headerOf(const std::string& key, int width, int height) {
     return header;
 }
 
-bool isSize(int width, int height) {
-    return width > 0 && height > 0 && width <= maximumSide && height <= maximumSide;
-}
+bool isSize(int width, int height) { return width > 0 && height > 0 && width <= maximumSide && height <= maximumSide; }
 
 std::size_t valueCount(int width, int height) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
 }
 
-Sha256 checksum(const std::vector<unsigned char>& bytes, std::size_t count) {
-    return sha256({bytes.data(), count});
-}
+Sha256 checksum(const std::vector<unsigned char>& bytes, std::size_t count) { return sha256({bytes.data(), count}); }
 
 std::vector<unsigned char> encode(const std::string& key, const LinearImage& image) {
     const Header header = headerOf(key, image.width, image.height);
@@ -111,8 +107,7 @@ enum class Kind { foreign, image, leftover };
 
 Kind kindOf(const fs::path& file) {
     const std::string name = file.filename().string();
-    const bool named = name.size() > nameDigits &&
-                       name.find_first_not_of("0123456789abcdef") == nameDigits &&
+    const bool named = name.size() > nameDigits && name.find_first_not_of("0123456789abcdef") == nameDigits &&
                        name.compare(nameDigits, std::strlen(extension), extension) == 0;
     if (!named) {
         return Kind::foreign;
@@ -123,14 +118,12 @@ Kind kindOf(const fs::path& file) {
     return file.extension() == ".part" ? Kind::leftover : Kind::foreign;
 }
 
-} // namespace
+}  // namespace
 
 ReferenceCache::ReferenceCache(fs::path folder, std::uintmax_t maximumBytes)
     : folder_(std::move(folder)), maximumBytes_(maximumBytes) {}
 
-fs::path ReferenceCache::defaultFolder() {
-    return userFolder("XDG_CACHE_HOME", ".cache");
-}
+fs::path ReferenceCache::defaultFolder() { return userFolder("XDG_CACHE_HOME", ".cache"); }
 
 fs::path ReferenceCache::fileOf(const std::string& key, int width, int height) const {
     const std::string text = fmt::format("{}x{} {}", width, height, key);
@@ -216,4 +209,4 @@ void ReferenceCache::shrink(const fs::path& newest) const {
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -40,4 +40,4 @@ class ReferenceCache {
     std::uintmax_t maximumBytes_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -8,11 +8,11 @@
 
 #include "frame/warm_up.h"
 #include "measure/display_encoding.h"
-#include "measure/embree_peer.h"
+#include "measure/embree_baseline.h"
 #include "measure/reference.h"
+#include "measure/reference_technique.h"
 #include "measure/sweep_journal.h"
 #include "measure/technique_variant.h"
-#include "measure/truth_technique.h"
 
 namespace timeshade {
 
@@ -20,7 +20,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double millisecondsSince(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
 
 Timing timingOf(std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -36,10 +38,12 @@ struct Subject {
     SweepRow row;
 };
 
-std::unique_ptr<Technique> makeSubject(const SweepPoint& point, const SweepOptions& options, gl::ProgramCache& programs) {
-    if (point.technique == "embree") return std::make_unique<TruthTechnique>();
+std::unique_ptr<Technique> makeSubject(const SweepPoint& point, const SweepOptions& options,
+                                       gl::ProgramCache& programs) {
+    if (point.technique == "embree") return std::make_unique<ReferenceTechnique>();
     std::unique_ptr<Technique> technique = TechniqueVariant::of(point.technique).make(options.settings, programs);
-    if (technique->renders() > 1) setFromText(*technique, "renders", std::to_string(bruteForceRenders(point.effort)));
+    if (technique->renders() > 1)
+        setFromText(*technique, "renders", std::to_string(bruteForceRenders(point.sampleCount)));
     return technique;
 }
 
@@ -62,11 +66,14 @@ class Steps {
 
 class SceneSweep {
   public:
-    SceneSweep(FrameRenderer& renderer, const SweepOptions& options, const SweepScene& scene, ReferenceCache& cache, Steps& steps)
+    SceneSweep(FrameRenderer& renderer, const SweepOptions& options, const SweepScene& scene, ReferenceCache& cache,
+               Steps& steps)
         : renderer_(renderer), options_(options), scene_(scene), cache_(cache), steps_(steps), planner_(*scene.scene) {}
 
     void run(std::vector<Subject>& subjects) {
-        steps_.next(scene_.varied.empty() ? scene_.name + ": reference" : fmt::format("{} {}={}: reference", scene_.name, scene_.varied, scene_.variedValue));
+        steps_.next(scene_.varied.empty()
+                        ? scene_.name + ": reference"
+                        : fmt::format("{} {}={}: reference", scene_.name, scene_.varied, scene_.variedValue));
         ReferenceOptions how;
         how.samplesPerPixel = options_.referenceSamples;
         reference_ = referenceImage(renderer_, planFor(subjects.front().point, 0), how, cache_);
@@ -85,7 +92,7 @@ class SceneSweep {
   private:
     FrameRequest requestFor(const SweepPoint& point, int round) const {
         FrameRequest request = scene_.request;
-        request.samplesPerPixel = point.effort;
+        request.samplesPerPixel = point.sampleCount;
         request.mapSize = point.mapSize;
         request.seed = scene_.request.seed + static_cast<std::uint32_t>(round);
         return request;
@@ -114,20 +121,20 @@ class SceneSweep {
             const GpuMemory memory = renderer_.memory();
             subject.row.bytes = memory.total();
             subject.row.techniqueBytes = memory.technique;
-            subject.row.figures = subject.technique->figures();
+            subject.row.statistics = subject.technique->statistics();
         }
     }
 
     /// Embree at its best on the same camera samples: building, primary rays, shadow rays, without any transfer.
     void timeEmbree(const FramePlan& plan, std::map<std::string, double>& times) const {
         auto begin = Clock::now();
-        EmbreePeer peer(plan);
+        EmbreeBaseline baseline(plan);
         times["build"] = millisecondsSince(begin);
         begin = Clock::now();
-        peer.tracePrimaries();
+        baseline.tracePrimaries();
         times["sample"] = millisecondsSince(begin);
         begin = Clock::now();
-        peer.traceShadows();
+        baseline.traceShadows();
         times["lookup"] = millisecondsSince(begin);
     }
 
@@ -160,29 +167,31 @@ std::vector<SweepPoint> pointsOf(const SweepOptions& options, const SweepScene& 
     for (const std::string& technique : options.techniques)
         for (const int mapSize : options.mapSizes) {
             if (technique == "embree" && mapSize != options.mapSizes.front()) continue;  // it has no map
-            for (const int effort : options.efforts) points.push_back({scene.name, technique, effort, mapSize, scene.varied, scene.variedValue});
+            for (const int sampleCount : options.sampleCounts)
+                points.push_back({scene.name, technique, sampleCount, mapSize, scene.varied, scene.variedValue});
         }
     return points;
 }
 
 /// What a journal must have been made with for its rows to be used again.
 std::string experimentOf(const FrameRenderer& renderer, const SweepOptions& options) {
-    std::string text = fmt::format("{}; rounds {}; reference {}", renderer.device().renderer + " " + renderer.device().version, options.rounds,
-                                   options.referenceSamples);
+    std::string text =
+        fmt::format("{}; rounds {}; reference {}", renderer.device().renderer + " " + renderer.device().version,
+                    options.rounds, options.referenceSamples);
     for (const auto& [name, value] : options.settings) text += fmt::format("; {}={}", name, value);
     for (const SweepScene& scene : options.scenes)
-        text += fmt::format("; {} {}x{} frame {} shutter {} fps {} seed {} camera {}", scene.name, scene.request.width, scene.request.height,
-                            scene.request.frame, scene.request.shutter.length, scene.request.shutter.framesPerSecond, scene.request.seed,
-                            scene.request.cameraIndex) +
+        text += fmt::format("; {} {}x{} frame {} shutter {} fps {} seed {} camera {}", scene.name, scene.request.width,
+                            scene.request.height, scene.request.frame, scene.request.shutter.length,
+                            scene.request.shutter.framesPerSecond, scene.request.seed, scene.request.cameraIndex) +
                 (scene.varied.empty() ? "" : fmt::format(" {}={}", scene.varied, scene.variedValue));
     return text;
 }
 
-} // namespace
+}  // namespace
 
 std::string SweepPoint::key() const {
     const std::string place = varied.empty() ? scene : fmt::format("{} {}={}", scene, varied, variedValue);
-    return fmt::format("{} {} spp {} map {}", place, technique, effort, mapSize);
+    return fmt::format("{} {} spp {} map {}", place, technique, sampleCount, mapSize);
 }
 
 std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache) {
@@ -197,7 +206,8 @@ std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& opti
     for (const SweepScene& scene : options.scenes) {
         std::vector<Subject> subjects;
         for (const SweepPoint& point : pointsOf(options, scene))
-            if (!journal.find(point)) subjects.push_back({point, makeSubject(point, options, renderer.programs()), {}, {}, {}});
+            if (!journal.find(point))
+                subjects.push_back({point, makeSubject(point, options, renderer.programs()), {}, {}, {}});
         if (subjects.empty()) continue;
         SceneSweep(renderer, options, scene, cache, steps).run(subjects);
         for (const Subject& subject : subjects) journal.append(subject.row);
@@ -208,4 +218,4 @@ std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& opti
     return rows;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

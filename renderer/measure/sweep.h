@@ -18,9 +18,9 @@ namespace timeshade {
 struct SweepPoint {
     std::string scene;
     std::string technique;  ///< a TechniqueVariant, or "embree" for the ray-traced peer
-    int effort = 8;         ///< samples per pixel; brute force draws bruteForceRenders(effort) renders instead
+    int sampleCount = 8;    ///< samples per pixel; brute force draws bruteForceRenders(effort) renders instead
     int mapSize = 512;
-    std::string varied{};       ///< the scene's setting that the sweep varies: "cubes.count"; empty for none
+    std::string varied{};  ///< the scene's setting that the sweep varies: "cubes.count"; empty for none
     double variedValue = 0.0;
 
     /// Unique in a sweep; what rows are known by in the journal.
@@ -28,7 +28,7 @@ struct SweepPoint {
 };
 
 /// Brute force spends its effort on renders: 8 for each sample per pixel that the others take.
-inline constexpr int bruteForceRenders(int effort) { return 8 * effort; }
+inline constexpr int bruteForceRenders(int sampleCount) { return 8 * sampleCount; }
 
 /// Milliseconds of one step over the rounds.
 struct Timing {
@@ -37,12 +37,12 @@ struct Timing {
 
 struct SweepRow {
     SweepPoint point;
-    std::map<std::string, Timing> steps;  ///< sample, build, lookup, shade, total; and parts: "build/collect"
-    std::vector<TechniqueFigure> figures; ///< what the technique counted in the first seed's picture
-    ErrorMetrics error;                   ///< of the first seed's picture
-    BiasAndNoise biasAndNoise;            ///< over all rounds, each with a seed of its own
-    Verification verification;            ///< of the first seed's samples
-    std::size_t bytes = 0;                ///< GPU memory, all of the frame
+    std::map<std::string, Timing> steps;         ///< sample, build, lookup, shade, total; and parts: "build/collect"
+    std::vector<TechniqueStatistic> statistics;  ///< what the technique counted in the first seed's picture
+    ErrorMetrics error;                          ///< of the first seed's picture
+    BiasAndNoise biasAndNoise;                   ///< over all rounds, each with a seed of its own
+    Verification verification;                   ///< of the first seed's samples
+    std::size_t bytes = 0;                       ///< GPU memory, all of the frame
     std::size_t techniqueBytes = 0;
 };
 
@@ -58,7 +58,7 @@ struct SweepOptions {
     std::vector<SweepScene> scenes;
     std::vector<std::string> techniques;  ///< TechniqueVariants; "embree" among them adds the peer
     std::vector<std::pair<std::string, std::string>> settings;  ///< "tsm.bias", "0.5"
-    std::vector<int> efforts{1, 2, 4, 8, 16};
+    std::vector<int> sampleCounts{1, 2, 4, 8, 16};
     std::vector<int> mapSizes{512};
     int rounds = 3;  ///< at least 2; each draws every point once, in turn, with another seed
     int referenceSamples = 256;
@@ -68,8 +68,8 @@ struct SweepOptions {
 };
 
 /// Runs the experiment: per scene, every point is drawn once per round, so that drift hits all alike, after a warm-up
-/// draw of its own. Rows that the journal already holds are not measured again. Rows come in the order scene, technique,
-/// map, effort.
+/// draw of its own. Rows that the journal already holds are not measured again. Rows come in the order scene,
+/// technique, map, effort.
 std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache);
 
-} // namespace timeshade
+}  // namespace timeshade

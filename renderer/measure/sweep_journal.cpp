@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
 #include "measure/verification_json.h"
-#include "scene/error.h"
 
 namespace timeshade {
 
@@ -18,18 +18,21 @@ using Json = nlohmann::ordered_json;
 
 /// JSON has no infinity, which the PSNR of equal pictures is.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-double numberOf(const Json& json) { return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>(); }
+double numberOf(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
+}
 
-} // namespace
+}  // namespace
 
 std::string rowAsJson(const SweepRow& row) {
     Json json;
     json["scene"] = row.point.scene;
     json["technique"] = row.point.technique;
-    json["spp"] = row.point.effort;
+    json["spp"] = row.point.sampleCount;
     json["map"] = row.point.mapSize;
     if (!row.point.varied.empty()) json["varied"] = {{"key", row.point.varied}, {"value", row.point.variedValue}};
-    for (const auto& [name, timing] : row.steps) json["milliseconds"][name] = {{"median", timing.median}, {"low", timing.low}, {"high", timing.high}};
+    for (const auto& [name, timing] : row.steps)
+        json["milliseconds"][name] = {{"median", timing.median}, {"low", timing.low}, {"high", timing.high}};
     json["error"] = {{"rmse", number(row.error.rmse)},
                      {"relative_mse", number(row.error.relativeMse)},
                      {"psnr", number(row.error.psnr)},
@@ -42,8 +45,11 @@ std::string rowAsJson(const SweepRow& row) {
     json["verify"] = asJson(row.verification);
     json["bytes"] = {{"total", row.bytes}, {"technique", row.techniqueBytes}};
     json["figures"] = Json::array();
-    for (const TechniqueFigure& figure : row.figures)
-        json["figures"].push_back({{"name", figure.name}, {"value", number(figure.value)}, {"unit", figure.unit}, {"warning", figure.warning}});
+    for (const TechniqueStatistic& figure : row.statistics)
+        json["figures"].push_back({{"name", figure.name},
+                                   {"value", number(figure.value)},
+                                   {"unit", figure.unit},
+                                   {"warning", figure.warning}});
     return json.dump();
 }
 
@@ -55,7 +61,8 @@ SweepRow rowFromJson(const std::string& text) {
         row.point.varied = json.at("varied").at("key");
         row.point.variedValue = json.at("varied").at("value");
     }
-    for (const auto& [name, timing] : json.at("milliseconds").items()) row.steps[name] = {timing.at("median"), timing.at("low"), timing.at("high")};
+    for (const auto& [name, timing] : json.at("milliseconds").items())
+        row.steps[name] = {timing.at("median"), timing.at("low"), timing.at("high")};
     const Json& error = json.at("error");
     row.error.rmse = numberOf(error.at("rmse"));
     row.error.relativeMse = numberOf(error.at("relative_mse"));
@@ -70,7 +77,8 @@ SweepRow rowFromJson(const std::string& text) {
     row.bytes = json.at("bytes").at("total");
     row.techniqueBytes = json.at("bytes").at("technique");
     for (const Json& figure : json.at("figures"))
-        row.figures.push_back({figure.at("name"), numberOf(figure.at("value")), figure.at("unit"), figure.at("warning")});
+        row.statistics.push_back(
+            {figure.at("name"), numberOf(figure.at("value")), figure.at("unit"), figure.at("warning")});
     return row;
 }
 
@@ -106,4 +114,4 @@ void SweepJournal::append(const SweepRow& row) {
     if (!stream) throw Error(fmt::format("{}: cannot be written to", path_.string()));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

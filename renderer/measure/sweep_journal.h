@@ -9,8 +9,8 @@
 namespace timeshade {
 
 /// Finished rows on disk, one JSON object a line, appended and flushed as they are made: a sweep that is interrupted
-/// goes on where it was. A last line that is cut off is dropped. The first line names the experiment; a journal of another experiment
-/// is started anew.
+/// goes on where it was. A last line that is cut off is dropped. The first line names the experiment; a journal of
+/// another experiment is started anew.
 class SweepJournal {
   public:
     SweepJournal(std::filesystem::path path, const std::string& experiment);
@@ -26,4 +26,4 @@ class SweepJournal {
 std::string rowAsJson(const SweepRow& row);
 SweepRow rowFromJson(const std::string& text);
 
-} // namespace timeshade
+}  // namespace timeshade

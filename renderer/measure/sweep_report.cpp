@@ -30,7 +30,9 @@ std::vector<std::string> scenesOf(const std::vector<SweepRow>& rows) {
 std::string baseOf(const std::string& technique) { return technique.substr(0, technique.find(':')); }
 
 const SweepRow* variedRow(const std::vector<SweepRow>& rows, const std::string& scene) {
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const SweepRow& row) { return row.point.scene == scene && !row.point.varied.empty(); });
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const SweepRow& row) {
+        return row.point.scene == scene && !row.point.varied.empty();
+    });
     return found == rows.end() ? nullptr : &*found;
 }
 
@@ -51,8 +53,9 @@ std::string curveName(const std::vector<SweepRow>& rows, const SweepPoint& point
     return maps.size() > 1 ? fmt::format("{}, map {}", point.technique, point.mapSize) : point.technique;
 }
 
-std::string effortLabel(const SweepPoint& point) {
-    return baseOf(point.technique) == "accumulation" ? fmt::format("{}x", bruteForceRenders(point.effort)) : fmt::format("{}", point.effort);
+std::string sampleCountLabel(const SweepPoint& point) {
+    return baseOf(point.technique) == "accumulation" ? fmt::format("{}x", bruteForceRenders(point.sampleCount))
+                                                     : fmt::format("{}", point.sampleCount);
 }
 
 std::string fileName(const std::string& scene) {
@@ -67,28 +70,37 @@ nlohmann::ordered_json asJson(const SweepManifest& m) {
             {"timeshade", TIMESHADE_VERSION},
             {"commit", m.commit},
             {"processor", m.processor},
-            {"gl", {{"back_end", m.backEnd}, {"vendor", m.device.vendor}, {"renderer", m.device.renderer}, {"version", m.device.version}, {"software", m.device.software}}},
-            {"clock", m.device.software ? "wall time around glFinish (software renderer: says nothing about a GPU)" : "GL_TIMESTAMP on the device"},
+            {"gl",
+             {{"back_end", m.backEnd},
+              {"vendor", m.device.vendor},
+              {"renderer", m.device.renderer},
+              {"version", m.device.version},
+              {"software", m.device.software}}},
+            {"clock", m.device.software ? "wall time around glFinish (software renderer: says nothing about a GPU)"
+                                        : "GL_TIMESTAMP on the device"},
             {"settings", m.settings},
             {"plans", m.plans}};
 }
 
 /// Where the error of a technique stops falling: the bias at its greatest effort, and whether it is above the noise.
 std::string floorLine(const std::vector<SweepRow>& rows, const std::string& scene, const std::string& technique) {
-    std::vector<double> efforts, errors;
+    std::vector<double> sampleCounts, errors;
     const SweepRow* last = nullptr;
     for (const SweepRow& row : rows) {
         if (row.point.scene != scene || row.point.technique != technique) continue;
         if (last && row.point.mapSize != last->point.mapSize) break;
-        efforts.push_back(row.point.effort);
+        sampleCounts.push_back(row.point.sampleCount);
         errors.push_back(row.biasAndNoise.noise);
         last = &row;
     }
-    if (!last || efforts.size() < 2) return "";
-    const std::optional<double> slope = logLogSlope(efforts, errors);
-    return fmt::format("- `{}`: noise falls with slope {} in samples (samples stratified in time and spread over the pixel: -2/3; time alone: -1; neither: -1/2); at the last point bias {:.5f}, noise {:.5f}: {}.\n", technique,
-                       slope ? fmt::format("{:.2f}", *slope) : "n/a", last->biasAndNoise.bias, last->biasAndNoise.noise,
-                       last->biasAndNoise.bias > last->biasAndNoise.noise ? "more samples no longer help, this is its floor" : "more samples still help");
+    if (!last || sampleCounts.size() < 2) return "";
+    const std::optional<double> slope = logLogSlope(sampleCounts, errors);
+    return fmt::format(
+        "- `{}`: noise falls with slope {} in samples (samples stratified in time and spread over the pixel: -2/3; "
+        "time alone: -1; neither: -1/2); at the last point bias {:.5f}, noise {:.5f}: {}.\n",
+        technique, slope ? fmt::format("{:.2f}", *slope) : "n/a", last->biasAndNoise.bias, last->biasAndNoise.noise,
+        last->biasAndNoise.bias > last->biasAndNoise.noise ? "more samples no longer help, this is its floor"
+                                                           : "more samples still help");
 }
 
 std::string reportTable(const std::vector<SweepRow>& rows, const std::string& scene) {
@@ -102,32 +114,39 @@ std::string reportTable(const std::vector<SweepRow>& rows, const std::string& sc
     if (varied != nullptr) column(varied->point.varied);
     for (const char* name : {"spp", "map", "sample", "build", "lookup", "shade"}) column(name);
     for (const std::string& part : parts) column(part);
-    for (const char* name : {"total ms (low to high)", "RMSE", "bias", "noise", "off by > 30/255", "disagree", "technique MiB", "GPU MiB"}) column(name);
+    for (const char* name :
+         {"total ms (low to high)", "RMSE", "bias", "noise", "off by > 30/255", "disagree", "technique MiB", "GPU MiB"})
+        column(name);
     std::string text = head + "\n" + rule + "\n";
     for (const SweepRow& row : rows) {
         if (row.point.scene != scene) continue;
         const Timing total = stepOf(row, "total");
         text += fmt::format("| {} |", row.point.technique);
         if (varied != nullptr) text += fmt::format(" {:g} |", row.point.variedValue);
-        text += fmt::format(" {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |", effortLabel(row.point),
-                            row.point.technique == "embree" ? "-" : fmt::format("{}", row.point.mapSize), stepOf(row, "sample").median,
-                            stepOf(row, "build").median, stepOf(row, "lookup").median, stepOf(row, "shade").median);
-        for (const std::string& part : parts) text += row.steps.count(part) > 0 ? fmt::format(" {:.1f} |", stepOf(row, part).median) : " |";
-        text += fmt::format(" {:.1f} ({:.1f} to {:.1f}) | {:.5f} | {:.5f} | {:.5f} | {:.2f} % | {:.0f} ppm | {:.1f} | {:.1f} |\n", total.median, total.low, total.high,
-                            row.error.rmse, row.biasAndNoise.bias, row.biasAndNoise.noise, 100.0 * row.error.offBy30.value_or(0.0),
-                            row.verification.ppm(), static_cast<double>(row.techniqueBytes) / 1048576.0, static_cast<double>(row.bytes) / 1048576.0);
+        text += fmt::format(" {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |", sampleCountLabel(row.point),
+                            row.point.technique == "embree" ? "-" : fmt::format("{}", row.point.mapSize),
+                            stepOf(row, "sample").median, stepOf(row, "build").median, stepOf(row, "lookup").median,
+                            stepOf(row, "shade").median);
+        for (const std::string& part : parts)
+            text += row.steps.count(part) > 0 ? fmt::format(" {:.1f} |", stepOf(row, part).median) : " |";
+        text += fmt::format(
+            " {:.1f} ({:.1f} to {:.1f}) | {:.5f} | {:.5f} | {:.5f} | {:.2f} % | {:.0f} ppm | {:.1f} | {:.1f} |\n",
+            total.median, total.low, total.high, row.error.rmse, row.biasAndNoise.bias, row.biasAndNoise.noise,
+            100.0 * row.error.offBy30.value_or(0.0), row.verification.ppm(),
+            static_cast<double>(row.techniqueBytes) / 1048576.0, static_cast<double>(row.bytes) / 1048576.0);
     }
     return text;
 }
 
 /// What the techniques counted, a line for each row that counted anything.
-std::string figureLines(const std::vector<SweepRow>& rows, const std::string& scene) {
+std::string statisticLines(const std::vector<SweepRow>& rows, const std::string& scene) {
     std::string text;
     for (const SweepRow& row : rows) {
-        if (row.point.scene != scene || row.figures.empty()) continue;
+        if (row.point.scene != scene || row.statistics.empty()) continue;
         text += fmt::format("- `{}`:", row.point.key());
-        for (const TechniqueFigure& figure : row.figures)
-            text += fmt::format("{} {} {:.10g}{}{}", &figure == &row.figures.front() ? "" : ",", figure.name, figure.value, figure.unit.empty() ? "" : " " + figure.unit,
+        for (const TechniqueStatistic& figure : row.statistics)
+            text += fmt::format("{} {} {:.10g}{}{}", &figure == &row.statistics.front() ? "" : ",", figure.name,
+                                figure.value, figure.unit.empty() ? "" : " " + figure.unit,
                                 figure.warning.empty() ? "" : " (" + figure.warning + ")");
         text += "\n";
     }
@@ -137,76 +156,99 @@ std::string figureLines(const std::vector<SweepRow>& rows, const std::string& sc
 std::string report(const SweepManifest& manifest, const std::vector<SweepRow>& rows) {
     std::string text = "# Accuracy against time\n\n";
     if (manifest.device.software)
-        text += "**Software renderer**: milliseconds are finished wall times on a processor and say nothing about a GPU. Ratios between "
-                "rows, which were measured in turn, are what to read.\n\n";
-    text += fmt::format("    {}\n\n{} through {}; {}; commit {}. Errors are those of the displayed frame in linear light against a ray-traced "
-                        "reference; \"disagree\" counts camera samples whose lit differs from the oracle's. [manifest.json](manifest.json) holds every setting, "
-                        "[accuracy.csv](accuracy.csv) every figure.\n\n",
-                        manifest.commandLine, manifest.device.renderer, manifest.backEnd, manifest.processor, manifest.commit);
+        text +=
+            "**Software renderer**: milliseconds are finished wall times on a processor and say nothing about a GPU. "
+            "Ratios between "
+            "rows, which were measured in turn, are what to read.\n\n";
+    text += fmt::format(
+        "    {}\n\n{} through {}; {}; commit {}. Errors are those of the displayed frame in linear light against a "
+        "ray-traced "
+        "reference; \"disagree\" counts camera samples whose lit differs from the oracle's. "
+        "[manifest.json](manifest.json) holds every setting, "
+        "[accuracy.csv](accuracy.csv) every figure.\n\n",
+        manifest.commandLine, manifest.device.renderer, manifest.backEnd, manifest.processor, manifest.commit);
     for (const std::string& scene : scenesOf(rows)) {
         const std::string name = fileName(scene);
         const SweepRow* varied = variedRow(rows, scene);
         if (varied != nullptr)
-            text += fmt::format("## {0} against {1}\n\n![time against {1}]({2}-time.png)\n\n![memory against {1}]({2}-memory.png)\n\n"
-                                "![disagreement against {1}]({2}-disagreement.png)\n\n", scene, varied->point.varied, name);
+            text += fmt::format(
+                "## {0} against {1}\n\n![time against {1}]({2}-time.png)\n\n![memory against {1}]({2}-memory.png)\n\n"
+                "![disagreement against {1}]({2}-disagreement.png)\n\n",
+                scene, varied->point.varied, name);
         else
-            text += fmt::format("## {}\n\n![error against milliseconds]({}-error.png)\n\n![disagreement against milliseconds]({}-disagreement.png)\n\n", scene, name, name);
-        text += reportTable(rows, scene) + "\n" + figureLines(rows, scene);
+            text += fmt::format(
+                "## {}\n\n![error against milliseconds]({}-error.png)\n\n![disagreement against "
+                "milliseconds]({}-disagreement.png)\n\n",
+                scene, name, name);
+        text += reportTable(rows, scene) + "\n" + statisticLines(rows, scene);
         if (varied != nullptr) continue;
         std::set<std::string> seen;
         for (const SweepRow& row : rows)
-            if (row.point.scene == scene && seen.insert(row.point.technique).second) text += floorLine(rows, scene, row.point.technique);
+            if (row.point.scene == scene && seen.insert(row.point.technique).second)
+                text += floorLine(rows, scene, row.point.technique);
         text += "\n";
     }
-    text += "`accumulation` counts renders (8x is 8 renders of one sample per pixel each). `embree` traces the same camera samples: `sample` are "
-            "its primary rays, `build` its acceleration structure, `lookup` its shadow rays, on all threads.\n";
+    text +=
+        "`accumulation` counts renders (8x is 8 renders of one sample per pixel each). `embree` traces the same camera "
+        "samples: `sample` are "
+        "its primary rays, `build` its acceleration structure, `lookup` its shadow rays, on all threads.\n";
     return text;
 }
 
-} // namespace
+}  // namespace
 
 Chart sweepChart(const std::vector<SweepRow>& rows, const std::string& scene, ChartOf what, bool softwareRenderer) {
     Chart chart;
-    chart.title = what == ChartOf::Error ? fmt::format("{}: what accuracy costs", scene) : fmt::format("{}: wrong shadow answers against time", scene);
+    chart.title = what == ChartOf::Error ? fmt::format("{}: what accuracy costs", scene)
+                                         : fmt::format("{}: wrong shadow answers against time", scene);
     chart.subtitle = what == ChartOf::Error ? "one curve per technique, samples per pixel (or renders, x) at the points"
                                             : "camera samples whose lit differs from the ray-traced truth";
-    chart.xLabel = softwareRenderer ? "milliseconds a frame (software renderer, wall time)" : "milliseconds a frame (GPU)";
+    chart.xLabel =
+        softwareRenderer ? "milliseconds a frame (software renderer, wall time)" : "milliseconds a frame (GPU)";
     chart.yLabel = what == ChartOf::Error ? "RMSE against the reference" : "disagreement (ppm)";
     for (const SweepRow& row : rows) {
         if (row.point.scene != scene) continue;
         const std::string name = curveName(rows, row.point);
         if (chart.series.empty() || chart.series.back().name != name) chart.series.push_back({name, {}});
         const double y = what == ChartOf::Error ? row.error.rmse : row.verification.ppm();
-        chart.series.back().points.push_back({stepOf(row, "total").median, y, effortLabel(row.point)});
+        chart.series.back().points.push_back({stepOf(row, "total").median, y, sampleCountLabel(row.point)});
     }
     if (what == ChartOf::Error) chart.slopes = {{-0.5, "slope -1/2"}, {-1.0, "slope -1"}};
     chart.drawParetoFront = true;
     return chart;
 }
 
-Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, VariedChartOf what, bool softwareRenderer) {
+Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, VariedChartOf what,
+                  bool softwareRenderer) {
     Chart chart;
     const SweepRow* varied = variedRow(rows, scene);
     if (varied == nullptr) return chart;
     const std::string key = varied->point.varied;
-    std::set<int> efforts;
+    std::set<int> sampleCounts;
     for (const SweepRow& row : rows)
-        if (row.point.scene == scene) efforts.insert(row.point.effort);
-    const std::string samples = efforts.size() == 1 ? fmt::format(", {} samples per pixel", *efforts.begin()) : "";
-    const char* noun = what == VariedChartOf::Time ? "time" : what == VariedChartOf::Memory ? "memory" : "wrong shadow answers";
+        if (row.point.scene == scene) sampleCounts.insert(row.point.sampleCount);
+    const std::string samples =
+        sampleCounts.size() == 1 ? fmt::format(", {} samples per pixel", *sampleCounts.begin()) : "";
+    const char* noun = what == VariedChartOf::Time     ? "time"
+                       : what == VariedChartOf::Memory ? "memory"
+                                                       : "wrong shadow answers";
     chart.title = fmt::format("{}: {} against {}", scene, noun, key);
-    chart.subtitle = what == VariedChartOf::Time     ? "building and lookup of the technique, medians" + samples
-                     : what == VariedChartOf::Memory ? "what the technique itself holds" + samples
-                                                     : "camera samples whose lit differs from the ray-traced truth" + samples;
+    chart.subtitle = what == VariedChartOf::Time ? "building and lookup of the technique, medians" + samples
+                     : what == VariedChartOf::Memory
+                         ? "what the technique itself holds" + samples
+                         : "camera samples whose lit differs from the ray-traced truth" + samples;
     chart.xLabel = key;
-    chart.yLabel = what == VariedChartOf::Time     ? (softwareRenderer ? "milliseconds (software renderer, wall time)" : "milliseconds (GPU)")
+    chart.yLabel = what == VariedChartOf::Time
+                       ? (softwareRenderer ? "milliseconds (software renderer, wall time)" : "milliseconds (GPU)")
                    : what == VariedChartOf::Memory ? "MiB"
                                                    : "disagreement (ppm)";
     for (const SweepRow& row : rows) {
         if (row.point.scene != scene) continue;
         if (what == VariedChartOf::Memory && row.point.technique == "embree") continue;  // it holds none on the device
-        const std::string name = curveName(rows, row.point) + (efforts.size() > 1 ? fmt::format(", {} spp", row.point.effort) : "");
-        auto series = std::find_if(chart.series.begin(), chart.series.end(), [&](const ChartSeries& s) { return s.name == name; });
+        const std::string name = curveName(rows, row.point) +
+                                 (sampleCounts.size() > 1 ? fmt::format(", {} spp", row.point.sampleCount) : "");
+        auto series = std::find_if(chart.series.begin(), chart.series.end(),
+                                   [&](const ChartSeries& s) { return s.name == name; });
         if (series == chart.series.end()) series = chart.series.insert(series, {name, {}});
         const double y = what == VariedChartOf::Time     ? stepOf(row, "build").median + stepOf(row, "lookup").median
                          : what == VariedChartOf::Memory ? static_cast<double>(row.techniqueBytes) / 1048576.0
@@ -219,39 +261,48 @@ Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, V
 std::string sweepCsv(const std::vector<SweepRow>& rows) {
     std::string text = "scene,technique,spp,map";
     for (const std::string& step : steps) text += fmt::format(",{}_ms,{}_ms_low,{}_ms_high", step, step, step);
-    text += ",rmse,relative_mse,psnr,mean_absolute,p999,off_by_30,bias,noise,mean_error,samples,tested,shadowed,disagree,false_shadow,false_lit,marginal,ppm,"
-            "primary_tested,primary_disagree,primary_marginal,bytes,technique_bytes,varied,value";
+    text +=
+        ",rmse,relative_mse,psnr,mean_absolute,p999,off_by_30,bias,noise,mean_error,samples,tested,shadowed,disagree,"
+        "false_shadow,false_lit,marginal,ppm,"
+        "primary_tested,primary_disagree,primary_marginal,bytes,technique_bytes,varied,value";
     const std::vector<std::string> parts = partsOf(rows, "");
     for (const std::string& part : parts) text += fmt::format(",{}_ms,{}_ms_low,{}_ms_high", part, part, part);
     text += "\n";
     for (const SweepRow& row : rows) {
-        text += fmt::format("{},{},{},{}", row.point.scene, row.point.technique, row.point.effort, row.point.mapSize);
+        text +=
+            fmt::format("{},{},{},{}", row.point.scene, row.point.technique, row.point.sampleCount, row.point.mapSize);
         for (const std::string& step : steps) {
             const Timing timing = stepOf(row, step);
             text += fmt::format(",{},{},{}", timing.median, timing.low, timing.high);
         }
         const ErrorMetrics& e = row.error;
-        text += fmt::format(",{},{},{},{},{},{},{},{},{}", e.rmse, e.relativeMse, e.psnr, e.meanAbsolute, e.p999, e.offBy30.value_or(0.0),
-                            row.biasAndNoise.bias, row.biasAndNoise.noise, row.biasAndNoise.meanError);
+        text += fmt::format(",{},{},{},{},{},{},{},{},{}", e.rmse, e.relativeMse, e.psnr, e.meanAbsolute, e.p999,
+                            e.offBy30.value_or(0.0), row.biasAndNoise.bias, row.biasAndNoise.noise,
+                            row.biasAndNoise.meanError);
         const Verification& v = row.verification;
-        text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{}", v.samples, v.tested, v.shadowed, v.disagree(), v.falseShadow, v.falseLit,
-                            v.marginal, v.ppm(), v.primaryTested, v.primaryDisagree, v.primaryMarginal, row.bytes, row.techniqueBytes);
+        text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{}", v.samples, v.tested, v.shadowed, v.disagree(),
+                            v.falseShadow, v.falseLit, v.marginal, v.ppm(), v.primaryTested, v.primaryDisagree,
+                            v.primaryMarginal, row.bytes, row.techniqueBytes);
         text += row.point.varied.empty() ? ",," : fmt::format(",{},{}", row.point.varied, row.point.variedValue);
         for (const std::string& part : parts) {
             const Timing timing = stepOf(row, part);
-            text += row.steps.count(part) > 0 ? fmt::format(",{},{},{}", timing.median, timing.low, timing.high) : ",,,";
+            text +=
+                row.steps.count(part) > 0 ? fmt::format(",{},{},{}", timing.median, timing.low, timing.high) : ",,,";
         }
         text += "\n";
     }
     return text;
 }
 
-void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& manifest, const std::vector<SweepRow>& rows) {
+void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& manifest,
+                      const std::vector<SweepRow>& rows) {
     const std::vector<std::string> scenes = scenesOf(rows);
     const bool software = manifest.device.software;
     for (const std::string& scene : scenes) {
         if (variedRow(rows, scene) != nullptr) {
-            const auto draw = [&](VariedChartOf what) { return drawChart(variedChart(rows, scene, what, software), 1200, 800); };
+            const auto draw = [&](VariedChartOf what) {
+                return drawChart(variedChart(rows, scene, what, software), 1200, 800);
+            };
             const DisplayImage time = draw(VariedChartOf::Time);
             writePng(folder / (fileName(scene) + "-time.png"), time);
             writePng(folder / (fileName(scene) + "-memory.png"), draw(VariedChartOf::Memory));
@@ -274,4 +325,4 @@ void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& 
     writeFileAtomically(folder / "report.md", report(manifest, rows));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

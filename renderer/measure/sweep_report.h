@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/chart.h"
+#include "chart/chart.h"
 #include "measure/sweep.h"
 
 namespace timeshade {
@@ -21,20 +21,25 @@ struct SweepManifest {
     std::map<std::string, std::vector<std::string>> plans;  ///< scene to its plan in words, a line each
 };
 
-/// Writes accuracy.csv, accuracy.json, manifest.json, report.md and pictures per scene into an existing folder: SCENE-error.png and
-/// SCENE-disagreement.png, or, where a setting of the scene was varied, SCENE-time.png, SCENE-memory.png and SCENE-disagreement.png
-/// against that. accuracy.png is the first scene's first chart. Each file is whole or not there.
-void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& manifest, const std::vector<SweepRow>& rows);
+/// Writes accuracy.csv, accuracy.json, manifest.json, report.md and pictures per scene into an existing folder:
+/// SCENE-error.png and SCENE-disagreement.png, or, where a setting of the scene was varied, SCENE-time.png,
+/// SCENE-memory.png and SCENE-disagreement.png against that. accuracy.png is the first scene's first chart. Each file
+/// is whole or not there.
+void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& manifest,
+                      const std::vector<SweepRow>& rows);
 
-/// The charts, for the window and for tests: error or disagreement of one scene against milliseconds of the whole frame.
+/// The charts, for the window and for tests: error or disagreement of one scene against milliseconds of the whole
+/// frame.
 enum class ChartOf { Error, Disagreement };
 Chart sweepChart(const std::vector<SweepRow>& rows, const std::string& scene, ChartOf what, bool softwareRenderer);
 
-/// The charts of a scene of which a setting was varied: one curve per technique, map and samples per pixel, against the setting.
+/// The charts of a scene of which a setting was varied: one curve per technique, map and samples per pixel, against the
+/// setting.
 enum class VariedChartOf { Time, Memory, Disagreement };
-Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, VariedChartOf what, bool softwareRenderer);
+Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, VariedChartOf what,
+                  bool softwareRenderer);
 
 /// The table that accuracy.csv holds, one line per row and a header.
 std::string sweepCsv(const std::vector<SweepRow>& rows);
 
-} // namespace timeshade
+}  // namespace timeshade

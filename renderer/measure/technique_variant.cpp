@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -16,13 +16,15 @@ TechniqueVariant TechniqueVariant::of(const std::string& label) {
     for (std::string part; std::getline(parts, part, ':');) {
         const std::size_t equals = part.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw UsageError(fmt::format("--techniques {}: '{}' given, expected KEY=VALUE after the colon, as in tsm:bias=2", label, part));
+            throw UsageError(fmt::format(
+                "--techniques {}: '{}' given, expected KEY=VALUE after the colon, as in tsm:bias=2", label, part));
         variant.settings.emplace_back(part.substr(0, equals), part.substr(equals + 1));
     }
     return variant;
 }
 
-std::unique_ptr<Technique> TechniqueVariant::make(const std::vector<std::pair<std::string, std::string>>& settingsOfAll, gl::ProgramCache& programs) const {
+std::unique_ptr<Technique> TechniqueVariant::make(const std::vector<std::pair<std::string, std::string>>& settingsOfAll,
+                                                  gl::ProgramCache& programs) const {
     std::unique_ptr<Technique> technique = makeTechnique(name, programs);
     const std::string prefix = name + ".";
     for (const auto& [key, value] : settingsOfAll)
@@ -31,4 +33,4 @@ std::unique_ptr<Technique> TechniqueVariant::make(const std::vector<std::pair<st
     return technique;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

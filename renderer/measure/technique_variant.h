@@ -5,21 +5,22 @@
 #include <utility>
 #include <vector>
 
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
 /// A technique with some settings of its own, as one series of a measurement: "tsm:bias=2:dynamic_bias=on". Without a
 /// colon it is the technique itself.
 struct TechniqueVariant {
-    std::string name;  ///< in the registry
+    std::string name;                                           ///< in the registry
     std::vector<std::pair<std::string, std::string>> settings;  ///< "bias", "2"
 
     /// Throws UsageError where a setting has no "=" or is not one of KEY=VALUE.
     static TechniqueVariant of(const std::string& label);
-    /// With what `settings` ("tsm.bias", "0.5") say of the technique first, then its own. Throws UsageError for an unknown
-    /// technique, an unknown key or a value out of range.
-    std::unique_ptr<Technique> make(const std::vector<std::pair<std::string, std::string>>& settings, gl::ProgramCache& programs) const;
+    /// With what `settings` ("tsm.bias", "0.5") say of the technique first, then its own. Throws UsageError for an
+    /// unknown technique, an unknown key or a value out of range.
+    std::unique_ptr<Technique> make(const std::vector<std::pair<std::string, std::string>>& settings,
+                                    gl::ProgramCache& programs) const;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

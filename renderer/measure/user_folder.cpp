@@ -11,7 +11,7 @@ std::filesystem::path pathIn(const char* variable) {
     return value != nullptr ? value : "";
 }
 
-} // namespace
+}  // namespace
 
 std::filesystem::path userFolder(const char* variable, const char* withoutIt) {
     // The specification: paths that are not absolute are to be ignored.
@@ -20,4 +20,4 @@ std::filesystem::path userFolder(const char* variable, const char* withoutIt) {
     return home.is_absolute() ? home / withoutIt / "timeshade" : std::filesystem::path();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

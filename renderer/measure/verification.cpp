@@ -34,15 +34,16 @@ class RenderComparison {
         sum_.primaryTested += triangles.size();
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             if (traced[i] == triangles[i]) continue;
-            const Oracle::PrimaryRuling ruling = oracle_.rulePrimary(plan_, indexOf(i));
-            if (ruling.triangle == triangles[i]) continue;
-            ++(ruling.marginal ? sum_.primaryMarginal : sum_.primaryDisagree);
+            const Oracle::ResolvedPrimary resolved = oracle_.resolvePrimary(plan_, indexOf(i));
+            if (resolved.triangle == triangles[i]) continue;
+            ++(resolved.marginal ? sum_.primaryMarginal : sum_.primaryDisagree);
         }
     }
 
   private:
     SampleIndex indexOf(std::size_t i) const {
-        const auto width = static_cast<std::size_t>(plan_.request.width), height = static_cast<std::size_t>(plan_.request.height);
+        const auto width = static_cast<std::size_t>(plan_.request.width),
+                   height = static_cast<std::size_t>(plan_.request.height);
         return {static_cast<std::uint32_t>(i % width), static_cast<std::uint32_t>(i / width % height),
                 static_cast<std::uint32_t>(i / (width * height))};
     }
@@ -50,11 +51,11 @@ class RenderComparison {
     OracleAnswer decide(const OracleAnswer& embree, SampleIndex index, std::uint32_t triangle, float lit) {
         const bool agrees = (lit >= 0.5f) == embree.lit;
         const std::uint32_t lot = shared::hashWords({index.x, index.y, index.stratum}).x;
-        if (agrees && lot % options_.ruledShare != 0) return embree;
-        const OracleAnswer ruling = oracle_.rule(plan_, index, triangle);
-        ++sum_.ruled;
-        if (ruling.lit != embree.lit) ++sum_.overruled;
-        return ruling;
+        if (agrees && lot % options_.resolvedShare != 0) return embree;
+        const OracleAnswer resolved = oracle_.rule(plan_, index, triangle);
+        ++sum_.resolvedExactly;
+        if (resolved.lit != embree.lit) ++sum_.corrected;
+        return resolved;
     }
 
     void count(const OracleAnswer& truth, float lit) {
@@ -73,9 +74,10 @@ class RenderComparison {
     Verification& sum_;
 };
 
-} // namespace
+}  // namespace
 
-FrameVerification::FrameVerification(FrameRenderer& renderer, FramePlan plan, Technique& technique, VerificationOptions options)
+FrameVerification::FrameVerification(FrameRenderer& renderer, FramePlan plan, Technique& technique,
+                                     VerificationOptions options)
     : renderer_(renderer), plan_(std::move(plan)), options_(std::move(options)), oracle_(plan_) {
     renderer_.begin(plan_, technique, View::Visibility);
 }
@@ -99,11 +101,12 @@ Verification FrameVerification::result() const {
     return verification;
 }
 
-Verification verifyFrame(FrameRenderer& renderer, const FramePlan& plan, Technique& technique, const VerificationOptions& options) {
+Verification verifyFrame(FrameRenderer& renderer, const FramePlan& plan, Technique& technique,
+                         const VerificationOptions& options) {
     FrameVerification verification(renderer, plan, technique, options);
     while (!verification.step()) {
     }
     return verification.result();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -13,23 +13,27 @@ namespace timeshade {
 
 /// How a technique's answers for the camera samples of one frame compare with the oracle's.
 struct Verification {
-    std::uint64_t samples = 0;         ///< camera samples of the frame
-    std::uint64_t tested = 0;          ///< of those: see a surface that faces the light inside its cone
-    std::uint64_t shadowed = 0;        ///< of the tested: truly in shadow
-    std::uint64_t falseShadow = 0;     ///< lit in truth, shadowed by the technique (lit < 1/2)
-    std::uint64_t falseLit = 0;        ///< shadowed in truth, lit by the technique
-    std::uint64_t marginal = 0;        ///< of the two above: within 1e-6 of an edge or end, where rounding decides
-    std::uint64_t ruled = 0;           ///< decided in double precision: all disagreements, a share of the rest
-    std::uint64_t overruled = 0;       ///< of those: Embree was wrong
-    std::uint64_t primaryTested = 0;   ///< camera samples whose triangle was compared
-    std::uint64_t primaryDisagree = 0; ///< the sample pass saw another triangle than the oracle's ruling
-    std::uint64_t primaryMarginal = 0; ///< differences within 1e-6 of an edge or of equal depth; not in primaryDisagree
-    double meanAbsoluteError = 0.0;    ///< mean over the tested of |lit - truth|; tells more where lit is fractional
+    std::uint64_t samples = 0;          ///< camera samples of the frame
+    std::uint64_t tested = 0;           ///< of those: see a surface that faces the light inside its cone
+    std::uint64_t shadowed = 0;         ///< of the tested: truly in shadow
+    std::uint64_t falseShadow = 0;      ///< lit in truth, shadowed by the technique (lit < 1/2)
+    std::uint64_t falseLit = 0;         ///< shadowed in truth, lit by the technique
+    std::uint64_t marginal = 0;         ///< of the two above: within 1e-6 of an edge or end, where rounding decides
+    std::uint64_t resolvedExactly = 0;  ///< decided in double precision: all disagreements, a share of the rest
+    std::uint64_t corrected = 0;        ///< of those: Embree was wrong
+    std::uint64_t primaryTested = 0;    ///< camera samples whose triangle was compared
+    std::uint64_t primaryDisagree = 0;  ///< the sample pass saw another triangle than the oracle's ruling
+    std::uint64_t primaryMarginal =
+        0;                           ///< differences within 1e-6 of an edge or of equal depth; not in primaryDisagree
+    double meanAbsoluteError = 0.0;  ///< mean over the tested of |lit - truth|; tells more where lit is fractional
 
     std::uint64_t disagree() const { return falseShadow + falseLit; }
-    double ppm() const { return tested == 0 ? 0.0 : 1e6 * static_cast<double>(disagree()) / static_cast<double>(tested); }
+    double ppm() const {
+        return tested == 0 ? 0.0 : 1e6 * static_cast<double>(disagree()) / static_cast<double>(tested);
+    }
     double primaryPpm() const {
-        return primaryTested == 0 ? 0.0 : 1e6 * static_cast<double>(primaryDisagree) / static_cast<double>(primaryTested);
+        return primaryTested == 0 ? 0.0
+                                  : 1e6 * static_cast<double>(primaryDisagree) / static_cast<double>(primaryTested);
     }
 };
 
@@ -43,7 +47,7 @@ struct VerifiedSample {
 
 struct VerificationOptions {
     /// One agreeing sample in so many is ruled in double precision too, chosen by a hash of its place.
-    std::uint32_t ruledShare = 64;
+    std::uint32_t resolvedShare = 64;
     bool checkPrimaries = true;
     /// Called with every sample that sees something, in order, if set.
     std::function<void(const VerifiedSample&)> visit;
@@ -51,8 +55,8 @@ struct VerificationOptions {
     std::function<void(int, int)> progress;
 };
 
-/// Draws the frame and compares every camera sample of it: `lit` with the oracle's truth, and the triangle seen with the
-/// oracle's primary ray. Wherever technique and Embree disagree, the double-precision ruling decides. One render a
+/// Draws the frame and compares every camera sample of it: `lit` with the oracle's truth, and the triangle seen with
+/// the oracle's primary ray. Wherever technique and Embree disagree, the double-precision ruling decides. One render a
 /// step, so that a window stays alive; nobody else may draw with this renderer in between.
 class FrameVerification {
   public:
@@ -75,6 +79,7 @@ class FrameVerification {
 };
 
 /// The same in one go.
-Verification verifyFrame(FrameRenderer& renderer, const FramePlan& plan, Technique& technique, const VerificationOptions& options);
+Verification verifyFrame(FrameRenderer& renderer, const FramePlan& plan, Technique& technique,
+                         const VerificationOptions& options);
 
-} // namespace timeshade
+}  // namespace timeshade

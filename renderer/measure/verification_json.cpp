@@ -18,8 +18,8 @@ nlohmann::ordered_json asJson(const Verification& v) {
             {"primary_disagree", v.primaryDisagree},
             {"primary_marginal", v.primaryMarginal},
             {"primary_ppm", v.primaryPpm()},
-            {"ruled", v.ruled},
-            {"overruled", v.overruled}};
+            {"ruled", v.resolvedExactly},
+            {"overruled", v.corrected}};
 }
 
 Verification verificationOf(const nlohmann::ordered_json& json) {
@@ -34,9 +34,9 @@ Verification verificationOf(const nlohmann::ordered_json& json) {
     v.primaryTested = json.at("primary_tested");
     v.primaryDisagree = json.at("primary_disagree");
     v.primaryMarginal = json.at("primary_marginal");
-    v.ruled = json.at("ruled");
-    v.overruled = json.at("overruled");
+    v.resolvedExactly = json.at("ruled");
+    v.corrected = json.at("overruled");
     return v;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -8,7 +8,8 @@ namespace timeshade {
 
 /// The numbers of a comparison, under the names that `verify --json` and the journal of `measure` share.
 nlohmann::ordered_json asJson(const Verification& verification);
-/// What asJson has written; what follows from the rest (ppm) is not read. Throws nlohmann's exceptions where a number is missing.
+/// What asJson has written; what follows from the rest (ppm) is not read. Throws nlohmann's exceptions where a number
+/// is missing.
 Verification verificationOf(const nlohmann::ordered_json& json);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -13,7 +13,8 @@ namespace timeshade {
 namespace {
 
 double shareOf(const TechniqueView& view, double value) {
-    return static_cast<double>(shared::heatShare(static_cast<float>(value), static_cast<float>(view.low), static_cast<float>(view.high), view.logarithmic));
+    return static_cast<double>(shared::heatShare(static_cast<float>(value), static_cast<float>(view.low),
+                                                 static_cast<float>(view.high), view.logarithmic));
 }
 
 /// 1, 2 or 5 times a power of ten, at least `least`.
@@ -24,17 +25,21 @@ double roundStep(double least) {
     return 10.0 * power;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<ScaleMark> marksOf(const TechniqueView& view) {
     std::vector<double> values{view.low};
     if (view.logarithmic) {
         // Powers of two or of ten, whichever leaves room to read them.
         const double base = view.high / view.low <= 64.0 ? 2.0 : 10.0;
-        for (double value = std::pow(base, std::floor(std::log(view.low) / std::log(base) + 1e-9) + 1.0); value < view.high; value *= base) values.push_back(value);
+        for (double value = std::pow(base, std::floor(std::log(view.low) / std::log(base) + 1e-9) + 1.0);
+             value < view.high; value *= base)
+            values.push_back(value);
     } else {
         const double step = roundStep((view.high - view.low) / 5.0);
-        for (double value = (std::floor(view.low / step + 1e-9) + 1.0) * step; value < view.high - 1e-9 * step; value += step) values.push_back(value);
+        for (double value = (std::floor(view.low / step + 1e-9) + 1.0) * step; value < view.high - 1e-9 * step;
+             value += step)
+            values.push_back(value);
     }
     // A round number right before the end would be written over it.
     while (values.size() > 1 && shareOf(view, values.back()) > 0.9) values.pop_back();
@@ -50,7 +55,8 @@ DisplayImage withScale(const DisplayImage& picture, const TechniqueView& view) {
     return withStrip(picture, [&](ChartCanvas& canvas, const ChartFont& font) {
         const double left = 12.0, right = std::max(left + 1.0, picture.width - 12.0);
         for (double x = left; x < right; x += 1.0)
-            canvas.fillBox({x, 4.0, x + 1.0, 14.0}, eightBits(shared::heatColor(static_cast<float>((x + 0.5 - left) / (right - left)))));
+            canvas.fillBox({x, 4.0, x + 1.0, 14.0},
+                           eightBits(shared::heatColor(static_cast<float>((x + 0.5 - left) / (right - left)))));
         const std::vector<ScaleMark> marks = marksOf(view);
         const auto leftOf = [&](const ScaleMark& mark) {
             const double width = widthOnStrip(font, mark.text);
@@ -69,4 +75,4 @@ DisplayImage withScale(const DisplayImage& picture, const TechniqueView& view) {
     });
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "image/image_file.h"
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
@@ -14,11 +14,11 @@ struct ScaleMark {
     std::string text;
 };
 
-/// Numbers for a view's scale: both ends, and round ones between them, whole where the scale spans whole numbers. The last
-/// carries the unit.
+/// Numbers for a view's scale: both ends, and round ones between them, whole where the scale spans whole numbers. The
+/// last carries the unit.
 std::vector<ScaleMark> marksOf(const TechniqueView& view);
 
 /// The picture of a technique's view with its scale below: colours, numbers and the unit.
 DisplayImage withScale(const DisplayImage& picture, const TechniqueView& view);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -25,7 +25,7 @@ void testLight(const FramePlan& plan, const glm::dvec3& normal, Receiver& receiv
     answer.tested = answer.tested && inside >= 0.0;
 }
 
-} // namespace
+}  // namespace
 
 CameraRay cameraRay(const FramePlan& plan, SampleIndex sample) {
     const glm::uvec2 pixel(sample.x, sample.y);
@@ -47,7 +47,8 @@ glm::dvec3 lightEnd(const FramePlan& plan, const glm::dvec3& position, double u)
     return between(plan.lightOpen.position - plan.origin, plan.lightClose.position - plan.origin, u);
 }
 
-Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, SampleIndex sample, std::uint32_t triangle) {
+Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, SampleIndex sample,
+                    std::uint32_t triangle) {
     Receiver receiver;
     const CameraRay ray = cameraRay(plan, sample);
     receiver.answer.time = static_cast<float>(ray.time);
@@ -70,4 +71,4 @@ Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, Sam
     return receiver;
 }
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

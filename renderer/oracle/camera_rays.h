@@ -6,8 +6,8 @@
 
 namespace timeshade::oracle {
 
-/// A camera sample in double precision: its time and its ray. Time and place in the image are the floats of the shared sample
-/// pattern, taken as exact. Positions are world space less the plan's origin.
+/// A camera sample in double precision: its time and its ray. Time and place in the image are the floats of the shared
+/// sample pattern, taken as exact. Positions are world space less the plan's origin.
 struct CameraRay {
     double time = 0.0;
     glm::dvec3 eye{0.0};
@@ -18,14 +18,15 @@ CameraRay cameraRay(const FramePlan& plan, SampleIndex sample);
 
 /// Where the camera ray meets the plane of the triangle that the sample sees, and what it has to do with the light.
 struct Receiver {
-    OracleAnswer answer;         ///< all but `lit`; `marginal` where facing or cone are within a float's rounding
-    glm::dvec3 light{0.0};       ///< the far end of the shadow segment
+    OracleAnswer answer;    ///< all but `lit`; `marginal` where facing or cone are within a float's rounding
+    glm::dvec3 light{0.0};  ///< the far end of the shadow segment
 };
 
-Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, SampleIndex sample, std::uint32_t triangle);
+Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, SampleIndex sample,
+                    std::uint32_t triangle);
 
-/// The far end of the shadow segment of a point. A directional light's segment is as long as the light's map is deep, which
-/// takes it past all of the scene.
+/// The far end of the shadow segment of a point. A directional light's segment is as long as the light's map is deep,
+/// which takes it past all of the scene.
 glm::dvec3 lightEnd(const FramePlan& plan, const glm::dvec3& position, double u);
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

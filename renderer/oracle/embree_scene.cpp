@@ -5,7 +5,7 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::oracle {
 
@@ -30,7 +30,8 @@ void rejectBacks(const RTCFilterFunctionNArguments* arguments) {
         const float facing = RTCHitN_Ng_x(arguments->hit, n, i) * RTCRayN_dir_x(arguments->ray, n, i) +
                              RTCHitN_Ng_y(arguments->hit, n, i) * RTCRayN_dir_y(arguments->ray, n, i) +
                              RTCHitN_Ng_z(arguments->hit, n, i) * RTCRayN_dir_z(arguments->ray, n, i);
-        if (facing > 0.0f && !twoSided(*context.positionTexels, RTCHitN_primID(arguments->hit, n, i))) arguments->valid[i] = 0;
+        if (facing > 0.0f && !twoSided(*context.positionTexels, RTCHitN_primID(arguments->hit, n, i)))
+            arguments->valid[i] = 0;
     }
 }
 
@@ -74,35 +75,37 @@ RTCGeometry makeGeometry(RTCDevice device, const FramePlan& plan) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryTimeStepCount(geometry, 2);
     for (unsigned step = 0; step < 2; ++step) {
-        auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT3,
-                                                                         sizeof(glm::vec3), topology.vertexCount));
+        auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), topology.vertexCount));
         for (std::size_t i = 0; i < topology.vertexCount; ++i) vertices[i] = plan.texels->vertices[2 * i + step];
     }
-    auto* indices = static_cast<glm::u32vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                       sizeof(glm::u32vec3), topology.triangles.size()));
+    auto* indices = static_cast<glm::u32vec3*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::u32vec3), topology.triangles.size()));
     std::copy(topology.triangles.begin(), topology.triangles.end(), indices);
     rtcCommitGeometry(geometry);
     return geometry;
 }
 
-} // namespace
+}  // namespace
 
 void EmbreeScene::ReleaseDevice::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
 void EmbreeScene::ReleaseScene::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
 
 EmbreeScene::EmbreeScene(const FramePlan& plan) : texels_(plan.texels), device_(rtcNewDevice(nullptr)) {
-    if (!device_) throw Error(fmt::format("Embree: no device (error {})", static_cast<int>(rtcGetDeviceError(nullptr))));
+    if (!device_)
+        throw Error(fmt::format("Embree: no device (error {})", static_cast<int>(rtcGetDeviceError(nullptr))));
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
     // Watertight edges: a ray between two neighbours meets one of them.
-    rtcSetSceneFlags(scene_.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(scene_.get(),
+                     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     RTCGeometry geometry = makeGeometry(device_.get(), plan);
     rtcAttachGeometry(scene_.get(), geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(scene_.get());
     if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
-        throw Error(fmt::format("Embree: building the scene of {} triangles failed (error {})", plan.mesh->topology->triangles.size(),
-                                static_cast<int>(error)));
+        throw Error(fmt::format("Embree: building the scene of {} triangles failed (error {})",
+                                plan.mesh->topology->triangles.size(), static_cast<int>(error)));
 }
 
 PacketHits EmbreeScene::firstHits(const RayPacket& packet) const {
@@ -119,4 +122,4 @@ PacketHits EmbreeScene::firstSeen(const RayPacket& packet) const {
     return trace(scene_.get(), packet, &context.embree);
 }
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

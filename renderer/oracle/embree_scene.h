@@ -26,7 +26,7 @@ struct RayPacket {
 struct PacketHits {
     bool hit[RayPacket::size] = {};
     std::uint32_t triangle[RayPacket::size];
-    float distance[RayPacket::size];        ///< in lengths of the ray's direction
+    float distance[RayPacket::size];          ///< in lengths of the ray's direction
     float leastBarycentric[RayPacket::size];  ///< how far inside the triangle: 1/3 at its centre, 0 on an edge
 };
 
@@ -42,12 +42,16 @@ class EmbreeScene {
     PacketHits firstSeen(const RayPacket& packet) const;
 
   private:
-    struct ReleaseDevice { void operator()(RTCDeviceTy* device) const; };
-    struct ReleaseScene { void operator()(RTCSceneTy* scene) const; };
+    struct ReleaseDevice {
+        void operator()(RTCDeviceTy* device) const;
+    };
+    struct ReleaseScene {
+        void operator()(RTCSceneTy* scene) const;
+    };
 
     std::shared_ptr<const MeshTexels> texels_;
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device_;
     std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;
 };
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

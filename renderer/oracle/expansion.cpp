@@ -72,4 +72,4 @@ Expansion determinant(const ExactVector& a, const ExactVector& b, const ExactVec
     return sum;
 }
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

@@ -20,8 +20,8 @@ class Expansion {
     Expansion operator*(const Expansion& other) const;
     Expansion operator*(double factor) const;
 
-    int sign() const;          ///< -1, 0 or 1
-    double estimate() const;   ///< to within an ulp or so
+    int sign() const;         ///< -1, 0 or 1
+    double estimate() const;  ///< to within an ulp or so
 
   private:
     void add(double value);
@@ -36,4 +36,4 @@ struct ExactVector {
 /// a . (b x c).
 Expansion determinant(const ExactVector& a, const ExactVector& b, const ExactVector& c);
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

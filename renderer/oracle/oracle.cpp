@@ -6,8 +6,8 @@
 #include "oracle/camera_rays.h"
 #include "oracle/embree_scene.h"
 #include "oracle/parallel_rows.h"
-#include "oracle/primary_ruling.h"
-#include "oracle/shadow_ruling.h"
+#include "oracle/resolve_primary.h"
+#include "oracle/resolve_shadow.h"
 
 namespace timeshade {
 
@@ -15,8 +15,8 @@ using namespace oracle;
 
 namespace {
 
-// Hits of Embree that its own floats might have got wrong are ruled upon: those this near to an edge, to the receiver or to
-// the light. Far more than its rounding, and still few.
+// Hits of Embree that its own floats might have got wrong are ruled upon: those this near to an edge, to the receiver
+// or to the light. Far more than its rounding, and still few.
 constexpr float doubtfulBarycentric = 1e-3f;
 constexpr float doubtfulDistance = 1e-4f;
 
@@ -34,7 +34,8 @@ template <class Work>
 void forEachPacket(const FramePlan& plan, const Work& work) {
     forEachRow(plan.block.imageSize.y, [&](std::uint32_t y) {
         for (std::uint32_t stratum = 0; stratum < plan.block.strata; ++stratum)
-            for (std::uint32_t x = 0; x < plan.block.imageSize.x; x += RayPacket::size) work(SampleIndex{x, y, stratum});
+            for (std::uint32_t x = 0; x < plan.block.imageSize.x; x += RayPacket::size)
+                work(SampleIndex{x, y, stratum});
     });
 }
 
@@ -42,9 +43,11 @@ int lanesOf(const FramePlan& plan, SampleIndex first) {
     return static_cast<int>(std::min<std::uint32_t>(RayPacket::size, plan.block.imageSize.x - first.x));
 }
 
-SampleIndex laneOf(SampleIndex first, int lane) { return {first.x + static_cast<std::uint32_t>(lane), first.y, first.stratum}; }
+SampleIndex laneOf(SampleIndex first, int lane) {
+    return {first.x + static_cast<std::uint32_t>(lane), first.y, first.stratum};
+}
 
-} // namespace
+}  // namespace
 
 struct Oracle::Implementation {
     explicit Implementation(const FramePlan& plan)
@@ -58,9 +61,10 @@ struct Oracle::Implementation {
     OracleAnswer rule(const Receiver& receiver, std::uint32_t triangle) const {
         OracleAnswer answer = receiver.answer;
         if (!answer.tested) return answer;
-        const ShadowRuling ruling = ruleShadow(bvh, triangles, answer.position, receiver.light, triangle, static_cast<double>(answer.time));
-        answer.lit = ruling.lit;
-        answer.marginal = answer.marginal || ruling.marginal;
+        const ResolvedShadow resolved =
+            resolveShadow(bvh, triangles, answer.position, receiver.light, triangle, static_cast<double>(answer.time));
+        answer.lit = resolved.lit;
+        answer.marginal = answer.marginal || resolved.marginal;
         return answer;
     }
 
@@ -83,9 +87,10 @@ struct Oracle::Implementation {
         for (int lane = 0; lane < lanesOf(plan, first); ++lane) {
             answers[lane] = receivers[lane].answer;
             if (!packet.active[lane]) continue;
-            const bool doubtful = hits.hit[lane] && (hits.triangle[lane] == ids[lane] || hits.distance[lane] < doubtfulDistance ||
-                                                     hits.distance[lane] > 1.0f - doubtfulDistance ||
-                                                     hits.leastBarycentric[lane] < doubtfulBarycentric);
+            const bool doubtful =
+                hits.hit[lane] &&
+                (hits.triangle[lane] == ids[lane] || hits.distance[lane] < doubtfulDistance ||
+                 hits.distance[lane] > 1.0f - doubtfulDistance || hits.leastBarycentric[lane] < doubtfulBarycentric);
             if (doubtful)
                 answers[lane] = rule(receivers[lane], ids[lane]);
             else
@@ -121,7 +126,7 @@ std::vector<OracleAnswer> Oracle::answer(const FramePlan& plan, std::span<const 
     return answers;
 }
 
-std::vector<OracleAnswer> Oracle::ruleAll(const FramePlan& plan, std::span<const std::uint32_t> triangles) const {
+std::vector<OracleAnswer> Oracle::resolveAll(const FramePlan& plan, std::span<const std::uint32_t> triangles) const {
     std::vector<OracleAnswer> answers(sampleCount(plan));
     forEachPacket(plan, [&](SampleIndex first) {
         const std::size_t i = indexOf(plan, first);
@@ -133,7 +138,8 @@ std::vector<OracleAnswer> Oracle::ruleAll(const FramePlan& plan, std::span<const
 
 std::vector<std::uint32_t> Oracle::tracePrimaries(const FramePlan& plan) const {
     std::vector<std::uint32_t> ids(sampleCount(plan), NO_TRIANGLE);
-    forEachPacket(plan, [&](SampleIndex first) { implementation_->tracePacket(plan, first, ids.data() + indexOf(plan, first)); });
+    forEachPacket(
+        plan, [&](SampleIndex first) { implementation_->tracePacket(plan, first, ids.data() + indexOf(plan, first)); });
     return ids;
 }
 
@@ -141,9 +147,9 @@ OracleAnswer Oracle::rule(const FramePlan& plan, SampleIndex sample, std::uint32
     return implementation_->rule(receiverOf(plan, implementation_->triangles, sample, triangle), triangle);
 }
 
-Oracle::PrimaryRuling Oracle::rulePrimary(const FramePlan& plan, SampleIndex sample) const {
-    return ruleFirstSeen(implementation_->bvh, implementation_->triangles, cameraRay(plan, sample),
-                         static_cast<double>(plan.camera.block.nearDistance));
+Oracle::ResolvedPrimary Oracle::resolvePrimary(const FramePlan& plan, SampleIndex sample) const {
+    return resolveFirstSeen(implementation_->bvh, implementation_->triangles, cameraRay(plan, sample),
+                            static_cast<double>(plan.camera.block.nearDistance));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -21,8 +21,8 @@ struct OracleAnswer {
     /// interval (1e-5, 1); or the receiver's facing or the cone's border is that near to a change.
     /// `answer` knows it only of the samples that it has ruled upon.
     bool marginal = false;
-    float time = 0.0f;              ///< u
-    glm::dvec3 position{0.0};       ///< world space less the plan's origin
+    float time = 0.0f;         ///< u
+    glm::dvec3 position{0.0};  ///< world space less the plan's origin
 };
 
 /// A camera sample: which pixel (x to the right, y upwards from the bottom row) and which stratum.
@@ -46,12 +46,13 @@ class Oracle {
     Oracle& operator=(const Oracle&) = delete;
 
     /// Answers of all camera samples of the plan, whose triangles are given as [stratum][row from the bottom][column]
-    /// (NO_TRIANGLE where nothing is seen), in the same order. Embree, packets of eight, all cores; hits near an edge or near
-    /// an end of the segment are ruled upon. `plan` is the one of construction or one made from it by planAtInstant.
+    /// (NO_TRIANGLE where nothing is seen), in the same order. Embree, packets of eight, all cores; hits near an edge
+    /// or near an end of the segment are ruled upon. `plan` is the one of construction or one made from it by
+    /// planAtInstant.
     std::vector<OracleAnswer> answer(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
 
     /// The same as `answer`, but every sample ruled upon: slower by some four times, and nowhere in doubt.
-    std::vector<OracleAnswer> ruleAll(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
+    std::vector<OracleAnswer> resolveAll(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
 
     /// Which triangle each camera sample sees, in the same order, by Embree with the camera's culling rule (one-sided
     /// triangles are not seen from behind).
@@ -62,15 +63,15 @@ class Oracle {
 
     /// The triangle that one sample sees, in double precision; `marginal` tells whether a float's rounding could have
     /// chosen another (within 1e-6 relative of an edge, or two triangles at one depth within 1e-6).
-    struct PrimaryRuling {
+    struct ResolvedPrimary {
         std::uint32_t triangle = NO_TRIANGLE;
         bool marginal = false;
     };
-    PrimaryRuling rulePrimary(const FramePlan& plan, SampleIndex sample) const;
+    ResolvedPrimary resolvePrimary(const FramePlan& plan, SampleIndex sample) const;
 
   private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -8,8 +8,8 @@
 
 namespace timeshade::oracle {
 
-/// Calls work(row) for every row below `rows`, on all cores, a few rows at a time. Results must not depend on the order.
-/// `work` must not throw.
+/// Calls work(row) for every row below `rows`, on all cores, a few rows at a time. Results must not depend on the
+/// order. `work` must not throw.
 template <class Work>
 void forEachRow(std::uint32_t rows, const Work& work) {
     constexpr std::uint32_t rowsPerTask = 4;
@@ -23,4 +23,4 @@ void forEachRow(std::uint32_t rows, const Work& work) {
     run();
 }
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

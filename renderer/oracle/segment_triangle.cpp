@@ -21,7 +21,8 @@ struct Determinant {
 /// det[d, a, b], given c = a x b and the sums of magnitudes of its two products, component by component.
 Determinant determinantOf(const glm::dvec3& d, const glm::dvec3& a, const glm::dvec3& b) {
     const double yz = a.y * b.z, zy = a.z * b.y, zx = a.z * b.x, xz = a.x * b.z, xy = a.x * b.y, yx = a.y * b.x;
-    const double magnitude = std::abs(d.x) * (std::abs(yz) + std::abs(zy)) + std::abs(d.y) * (std::abs(zx) + std::abs(xz)) +
+    const double magnitude = std::abs(d.x) * (std::abs(yz) + std::abs(zy)) +
+                             std::abs(d.y) * (std::abs(zx) + std::abs(xz)) +
                              std::abs(d.z) * (std::abs(xy) + std::abs(yx));
     return {d.x * (yz - zy) + d.y * (zx - xz) + d.z * (xy - yx), determinantError * magnitude};
 }
@@ -32,8 +33,8 @@ ExactVector exactDifference(const glm::dvec3& a, const glm::dvec3& b) {
 
 int signOf(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0); }
 
-/// One segment against one triangle. e_i = det[to - from, v_j - from, v_k - from] tells on which side of edge i the line
-/// passes; W = det[v0 - from, v1 - from, v2 - from] and E = e_0 + e_1 + e_2 give s = W / E (numerics D2).
+/// One segment against one triangle. e_i = det[to - from, v_j - from, v_k - from] tells on which side of edge i the
+/// line passes; W = det[v0 - from, v1 - from, v2 - from] and E = e_0 + e_1 + e_2 give s = W / E (numerics D2).
 class MeetingTest {
   public:
     MeetingTest(const Segment& segment, const glm::dvec3 (&vertices)[3]) : segment_(segment), vertices_(vertices) {
@@ -68,7 +69,8 @@ class MeetingTest {
   private:
     /// Clearly outside: the quick end of nearly every test.
     bool passesOutside() {
-        const double farthest = std::sqrt(std::max({glm::dot(w_[0], w_[0]), glm::dot(w_[1], w_[1]), glm::dot(w_[2], w_[2])}));
+        const double farthest =
+            std::sqrt(std::max({glm::dot(w_[0], w_[0]), glm::dot(w_[1], w_[1]), glm::dot(w_[2], w_[2])}));
         scale_ = glm::length(segment_.from) + std::min(segment_.reach, farthest);
         const double slack = marginalShare * scale_ * glm::length(direction_);
         bool positive = false, negative = false;
@@ -93,22 +95,28 @@ class MeetingTest {
         return positive != negative;
     }
 
-    double sumError(const Determinant& plane) const { return plane.error + edge_[0].error + edge_[1].error + edge_[2].error; }
+    double sumError(const Determinant& plane) const {
+        return plane.error + edge_[0].error + edge_[1].error + edge_[2].error;
+    }
 
     Expansion exactEdge(int i) const {
-        return determinant(exactDifference(segment_.to, segment_.from), exactDifference(vertices_[(i + 1) % 3], segment_.from),
+        return determinant(exactDifference(segment_.to, segment_.from),
+                           exactDifference(vertices_[(i + 1) % 3], segment_.from),
                            exactDifference(vertices_[(i + 2) % 3], segment_.from));
     }
 
     /// Sign of W - end * E: on which side of the plane the segment's point at s = end lies, relative to `from`.
     int planeSign(const Determinant& plane, double end) const {
         const double value = plane.value - end * (edge_[0].value + edge_[1].value + edge_[2].value);
-        const double rounding = 4e-16 * (std::abs(plane.value) + std::abs(end) * (std::abs(edge_[0].value) + std::abs(edge_[1].value) +
-                                                                                  std::abs(edge_[2].value)));
-        const double error = plane.error + std::abs(end) * (edge_[0].error + edge_[1].error + edge_[2].error) + rounding;
+        const double rounding =
+            4e-16 * (std::abs(plane.value) +
+                     std::abs(end) * (std::abs(edge_[0].value) + std::abs(edge_[1].value) + std::abs(edge_[2].value)));
+        const double error =
+            plane.error + std::abs(end) * (edge_[0].error + edge_[1].error + edge_[2].error) + rounding;
         if (std::abs(value) > error) return signOf(value);
-        Expansion exact = determinant(exactDifference(vertices_[0], segment_.from), exactDifference(vertices_[1], segment_.from),
-                                      exactDifference(vertices_[2], segment_.from));
+        Expansion exact =
+            determinant(exactDifference(vertices_[0], segment_.from), exactDifference(vertices_[1], segment_.from),
+                        exactDifference(vertices_[2], segment_.from));
         for (int i = 0; i < 3; ++i) exact -= exactEdge(i) * end;
         return exact.sign();
     }
@@ -123,8 +131,10 @@ class MeetingTest {
     bool nearEdge_ = false;
 };
 
-} // namespace
+}  // namespace
 
-Meeting meet(const Segment& segment, const glm::dvec3 (&vertices)[3]) { return MeetingTest(segment, vertices).result(); }
+Meeting meet(const Segment& segment, const glm::dvec3 (&vertices)[3]) {
+    return MeetingTest(segment, vertices).result();
+}
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

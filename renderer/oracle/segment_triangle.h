@@ -19,13 +19,13 @@ struct Meeting {
     bool marginal = false;  ///< moving things by marginalShare of their coordinates could decide otherwise
     int facing = 0;         ///< of a hit: 1 if the triangle's front (counter-clockwise) looks towards `from`, else -1
     bool facingMarginal = false;
-    double s = 0.0;         ///< where the line meets the plane, to double precision; of a hit or a marginal miss
+    double s = 0.0;  ///< where the line meets the plane, to double precision; of a hit or a marginal miss
 };
 
 /// Does the segment meet the triangle? Triangles are closed: their edges and corners count. The segment is open: its
 /// ends do not. A triangle seen edge-on (in one plane with the segment) or without area is not met. Every decision is
-/// exact for the given numbers: signs of determinants in double where their error bound allows, else in exact arithmetic.
-/// So a segment through the common edge of two triangles meets at least one of them.
+/// exact for the given numbers: signs of determinants in double where their error bound allows, else in exact
+/// arithmetic. So a segment through the common edge of two triangles meets at least one of them.
 Meeting meet(const Segment& segment, const glm::dvec3 (&vertices)[3]);
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

@@ -8,16 +8,21 @@
 
 namespace timeshade::oracle {
 
-std::uint32_t MovingTriangles::count() const { return static_cast<std::uint32_t>(texels_.size() / TRIANGLE_POSITION_TEXELS); }
+std::uint32_t MovingTriangles::count() const {
+    return static_cast<std::uint32_t>(texels_.size() / TRIANGLE_POSITION_TEXELS);
+}
 
-bool MovingTriangles::doubleSided(std::uint32_t id) const { return texels_[std::size_t{id} * TRIANGLE_POSITION_TEXELS + 4].z != 0.0f; }
+bool MovingTriangles::doubleSided(std::uint32_t id) const {
+    return texels_[std::size_t{id} * TRIANGLE_POSITION_TEXELS + 4].z != 0.0f;
+}
 
 glm::dvec3 MovingTriangles::end(std::uint32_t id, int vertex, bool close) const {
     const int first = 3 * vertex + (close ? 9 : 0);
     glm::dvec3 position;
     for (int c = 0; c < 3; ++c) {
         const int i = first + c;
-        position[c] = static_cast<double>(texels_[std::size_t{id} * TRIANGLE_POSITION_TEXELS + static_cast<std::size_t>(i / 4)][i % 4]);
+        position[c] = static_cast<double>(
+            texels_[std::size_t{id} * TRIANGLE_POSITION_TEXELS + static_cast<std::size_t>(i / 4)][i % 4]);
     }
     return position;
 }
@@ -85,9 +90,11 @@ struct SweptBvh::Builder {
         Split best;
         if (depth < depthForMedians)
             for (int axis = 0; axis < 3; ++axis)
-                if (const Split split = bestSplit(begin, end, axis, low[axis], high[axis]); split.cost < best.cost) best = split;
+                if (const Split split = bestSplit(begin, end, axis, low[axis], high[axis]); split.cost < best.cost)
+                    best = split;
         if (best.axis >= 0) {
-            const auto middle = std::partition(from, to, [&](std::uint32_t id) { return centroids[id][best.axis] < best.position; });
+            const auto middle =
+                std::partition(from, to, [&](std::uint32_t id) { return centroids[id][best.axis] < best.position; });
             if (middle != from && middle != to) return static_cast<std::uint32_t>(middle - bvh.order_.begin());
         }
         const glm::dvec3 extent = high - low;
@@ -152,4 +159,4 @@ SweptBvh::SweptBvh(const MovingTriangles& triangles) {
     builder.build(0, 0, count, 0);
 }
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

@@ -11,8 +11,8 @@
 
 namespace timeshade::oracle {
 
-/// Triangles whose vertices move linearly: eighteen floats a triangle, three vertices at u = 0 and three at u = 1, in the
-/// layout of MeshTexels::positions.
+/// Triangles whose vertices move linearly: eighteen floats a triangle, three vertices at u = 0 and three at u = 1, in
+/// the layout of MeshTexels::positions.
 class MovingTriangles {
   public:
     explicit MovingTriangles(std::span<const glm::vec4> texels) : texels_(texels) {}
@@ -40,10 +40,11 @@ class SweptBvh {
   public:
     explicit SweptBvh(const MovingTriangles& triangles);
 
-    /// Calls visit(id, limit) for the triangles near from + s * direction, 0 <= s <= limit, nearer boxes first. visit may
-    /// lower `limit` and ends the search by returning false.
+    /// Calls visit(id, limit) for the triangles near from + s * direction, 0 <= s <= limit, nearer boxes first. visit
+    /// may lower `limit` and ends the search by returning false.
     template <class Visit>
-    void forEachNear(const glm::dvec3& from, const glm::dvec3& direction, double u, double pad, double limit, Visit&& visit) const;
+    void forEachNear(const glm::dvec3& from, const glm::dvec3& direction, double u, double pad, double limit,
+                     Visit&& visit) const;
 
     double largestCoordinate() const { return largestCoordinate_; }  ///< magnitude, over all vertices at both ends
 
@@ -57,14 +58,16 @@ class SweptBvh {
     static constexpr int maximumDepth = 60;
 
     /// Where the line enters the padded box at time u, or infinity.
-    static double entry(const SweptBox& box, const glm::dvec3& from, const glm::dvec3& inverse, double u, double pad, double limit);
+    static double entry(const SweptBox& box, const glm::dvec3& from, const glm::dvec3& inverse, double u, double pad,
+                        double limit);
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;
     double largestCoordinate_ = 0.0;
 };
 
-inline double SweptBvh::entry(const SweptBox& box, const glm::dvec3& from, const glm::dvec3& inverse, double u, double pad, double limit) {
+inline double SweptBvh::entry(const SweptBox& box, const glm::dvec3& from, const glm::dvec3& inverse, double u,
+                              double pad, double limit) {
     double enter = 0.0, leave = limit;
     for (int c = 0; c < 3; ++c) {
         const double low = box.low[0][c] + (box.low[1][c] - box.low[0][c]) * u - pad;
@@ -77,7 +80,8 @@ inline double SweptBvh::entry(const SweptBox& box, const glm::dvec3& from, const
 }
 
 template <class Visit>
-void SweptBvh::forEachNear(const glm::dvec3& from, const glm::dvec3& direction, double u, double pad, double limit, Visit&& visit) const {
+void SweptBvh::forEachNear(const glm::dvec3& from, const glm::dvec3& direction, double u, double pad, double limit,
+                           Visit&& visit) const {
     if (nodes_.empty()) return;
     glm::dvec3 inverse;
     // A component of zero becomes so small a one that the line cannot leave a padded box by it.
@@ -105,4 +109,4 @@ void SweptBvh::forEachNear(const glm::dvec3& from, const glm::dvec3& direction, 
     }
 }
 
-} // namespace timeshade::oracle
+}  // namespace timeshade::oracle

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "shared/frame_blocks.shared.h"
 
 namespace timeshade {
@@ -14,8 +14,10 @@ void CellLists::beginCount(std::size_t cells) {
         GLint64 largest = 0;
         glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
         if ((cells + 1) * sizeof(GLuint) > static_cast<std::size_t>(largest))
-            throw LimitError(fmt::format("lists of {} cells need blocks of {} bytes; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {}: lower --map",
-                                    cells, (cells + 1) * sizeof(GLuint), largest));
+            throw LimitError(
+                fmt::format("lists of {} cells need blocks of {} bytes; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE "
+                            "is {}: lower --map",
+                            cells, (cells + 1) * sizeof(GLuint), largest));
         const std::size_t blocks = (cells + LIST_SCAN_BLOCK - 1) / LIST_SCAN_BLOCK;
         cursors_.emplace("list cursors", cells * sizeof(GLuint));
         offsets_.emplace("list offsets", (cells + 1) * sizeof(GLuint));
@@ -33,8 +35,9 @@ std::size_t CellLists::scan(std::size_t multiple) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST_OFFSETS_BINDING, offsets_->name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST_BLOCKS_BINDING, blocks_->name());
     for (int step = 0; step < 3; ++step) {
-        const gl::Program& program = programs_.get(
-            {.label = fmt::format("list scan {}", step), .defines = {{"SCAN_STEP", fmt::format("{}", step)}}, .compute = "passes/list_scan.comp"});
+        const gl::Program& program = programs_.get({.label = fmt::format("list scan {}", step),
+                                                    .defines = {{"SCAN_STEP", fmt::format("{}", step)}},
+                                                    .compute = "passes/list_scan.comp"});
         program.use();
         glUniform1ui(0, static_cast<GLuint>(cells_));
         glUniform1ui(1, blocks);
@@ -46,14 +49,19 @@ std::size_t CellLists::scan(std::size_t multiple) {
     GLuint total = 0;
     glGetNamedBufferSubData(offsets_->name(), static_cast<GLintptr>(cells_ * sizeof(GLuint)), sizeof total, &total);
     if (total == std::numeric_limits<GLuint>::max())
-        throw LimitError(fmt::format("lists of {} cells would hold {} entries or more; expected fewer: lower --map", cells_, total));
+        throw LimitError(
+            fmt::format("lists of {} cells would hold {} entries or more; expected fewer: lower --map", cells_, total));
     return total;
 }
 
-void CellLists::bindCursors() const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST_CURSORS_BINDING, cursors_->name()); }
+void CellLists::bindCursors() const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST_CURSORS_BINDING, cursors_->name());
+}
 
-void CellLists::finishFill() { glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT); }
+void CellLists::finishFill() {
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
 
 std::size_t CellLists::bytes() const { return cursors_ ? cursors_->bytes() + offsets_->bytes() + blocks_->bytes() : 0; }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -9,23 +9,24 @@
 
 namespace timeshade {
 
-/// Lists of exactly the size that is needed, one per cell of a grid and all in one array: count, scan, fill (the S-buffer of
-/// Vasilakis and Fudos 2012). It holds the cells' places only; the arrays of entries are the caller's (gl::GrowingBuffer), as many as an
-/// entry has fields. In this order:
-///   beginCount(cells)   shaders call listSlot(cell) of lib/cell_lists.glsl once per entry; it returns the entry's rank in its list
-///   n = scan()          entries in all: make room for so many
-///   (bindCursors())     the same shaders call listSlot(cell) once per entry again; it returns the entry's place
-/// Cell c then holds the entries offsets[c] .. offsets[c + 1] - 1. Their order within a cell is whatever the device made it:
-/// no result may depend on it.
+/// Lists of exactly the size that is needed, one per cell of a grid and all in one array: count, scan, fill (the
+/// S-buffer of Vasilakis and Fudos 2012). It holds the cells' places only; the arrays of entries are the caller's
+/// (gl::GrowingBuffer), as many as an entry has fields. In this order:
+///   beginCount(cells)   shaders call listSlot(cell) of lib/cell_lists.glsl once per entry; it returns the entry's rank
+///   in its list n = scan()          entries in all: make room for so many (bindCursors())     the same shaders call
+///   listSlot(cell) once per entry again; it returns the entry's place
+/// Cell c then holds the entries offsets[c] .. offsets[c + 1] - 1. Their order within a cell is whatever the device
+/// made it: no result may depend on it.
 class CellLists {
   public:
     explicit CellLists(gl::ProgramCache& programs) : programs_(programs) {}
 
-    /// Zeroes the counters of `cells` lists (at least one) and binds them. Throws LimitError where a storage block does not hold so many.
+    /// Zeroes the counters of `cells` lists (at least one) and binds them. Throws LimitError where a storage block does
+    /// not hold so many.
     void beginCount(std::size_t cells);
-    /// Turns counts into places, and returns the number of entries: waits for the device. With a `multiple` above 1 each list gets
-    /// room for a multiple of so many entries; after filling, the cursors say where its entries end. Throws LimitError where there are 2^32 - 1
-    /// entries or more. The counters are bound as cursors, ready to fill.
+    /// Turns counts into places, and returns the number of entries: waits for the device. With a `multiple` above 1
+    /// each list gets room for a multiple of so many entries; after filling, the cursors say where its entries end.
+    /// Throws LimitError where there are 2^32 - 1 entries or more. The counters are bound as cursors, ready to fill.
     std::size_t scan(std::size_t multiple = 1);
     /// Binds the cursors again, for callers that bound something else in between.
     void bindCursors() const;
@@ -46,4 +47,4 @@ class CellLists {
     std::optional<gl::Texture> offsetsView_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

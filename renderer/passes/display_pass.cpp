@@ -4,8 +4,8 @@ namespace timeshade {
 
 void DisplayPass::draw(const Fullscreen& fullscreen, const gl::Texture& radiance, float scale, bool toneMap,
                        const gl::Texture& picture) {
-    const gl::Program& program =
-        programs_.get({"display", "passes/fullscreen.vert", "passes/display.frag", {{"TONE_MAP", toneMap ? "1" : "0"}}});
+    const gl::Program& program = programs_.get(
+        {"display", "passes/fullscreen.vert", "passes/display.frag", {{"TONE_MAP", toneMap ? "1" : "0"}}});
     radiance.bind(0);
     target_.attach(GL_COLOR_ATTACHMENT0, picture);
     target_.setColorCount(1);
@@ -15,4 +15,4 @@ void DisplayPass::draw(const Fullscreen& fullscreen, const gl::Texture& radiance
     fullscreen.draw(program);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

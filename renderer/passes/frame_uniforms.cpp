@@ -18,4 +18,4 @@ void FrameUniforms::set(const FramePlan& plan) {
     glBindBufferBase(GL_UNIFORM_BUFFER, LIGHT_VIEW_BINDING, light_.name());
 }
 
-} // namespace timeshade
+}  // namespace timeshade

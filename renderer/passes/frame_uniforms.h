@@ -16,4 +16,4 @@ class FrameUniforms {
     gl::Buffer frame_, camera_, light_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -22,4 +22,4 @@ class Fullscreen {
     gl::VertexArray none_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

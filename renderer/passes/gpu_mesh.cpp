@@ -16,7 +16,8 @@ std::vector<std::uint8_t> resampled(const Image& image, int side) {
     std::vector<std::uint8_t> out(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4);
     const auto texel = [&](int x, int y, int channel) {
         const int cx = std::clamp(x, 0, image.width - 1), cy = std::clamp(y, 0, image.height - 1);
-        const auto index = (static_cast<std::size_t>(cy) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(cx)) * 4;
+        const auto index =
+            (static_cast<std::size_t>(cy) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(cx)) * 4;
         return static_cast<double>(image.rgba[index + static_cast<std::size_t>(channel)]);
     };
     std::size_t at = 0;
@@ -35,7 +36,8 @@ std::vector<std::uint8_t> resampled(const Image& image, int side) {
     return out;
 }
 
-gl::Texture imageArray(const std::string& label, GLenum format, const std::vector<Image>& images, const std::vector<int>& wanted) {
+gl::Texture imageArray(const std::string& label, GLenum format, const std::vector<Image>& images,
+                       const std::vector<int>& wanted) {
     int side = 1;
     for (const int index : wanted) {
         const Image& image = images[static_cast<std::size_t>(index)];
@@ -48,7 +50,8 @@ gl::Texture imageArray(const std::string& label, GLenum format, const std::vecto
     }
     for (std::size_t layer = 0; layer < wanted.size(); ++layer) {
         const std::vector<std::uint8_t> texels = resampled(images[static_cast<std::size_t>(wanted[layer])], side);
-        glTextureSubImage3D(texture.name(), 0, 0, 0, static_cast<GLint>(layer), side, side, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+        glTextureSubImage3D(texture.name(), 0, 0, 0, static_cast<GLint>(layer), side, side, 1, GL_RGBA,
+                            GL_UNSIGNED_BYTE, texels.data());
     }
     texture.setFilters(GL_LINEAR, GL_LINEAR);
     texture.setWrap(GL_REPEAT);
@@ -64,7 +67,7 @@ int layerOf(std::vector<int>& wanted, int image) {
     return static_cast<int>(wanted.size()) - 1;
 }
 
-} // namespace
+}  // namespace
 
 void GpuMesh::update(const FramePlan& plan) {
     const bool newScene = allocatedFor_ != plan.mesh->topology;
@@ -107,9 +110,11 @@ void GpuMesh::uploadMaterials(const FramePlan& plan) {
     std::vector<int> colors, data;
     std::vector<glm::vec4> texels;
     for (const Material& material : *plan.materials) {
-        const int color = layerOf(colors, material.baseColorImage), other = layerOf(data, material.metallicRoughnessImage);
+        const int color = layerOf(colors, material.baseColorImage),
+                  other = layerOf(data, material.metallicRoughnessImage);
         texels.push_back(material.baseColorFactor);
-        texels.emplace_back(material.metallicFactor, material.roughnessFactor, static_cast<float>(color), static_cast<float>(other));
+        texels.emplace_back(material.metallicFactor, material.roughnessFactor, static_cast<float>(color),
+                            static_cast<float>(other));
         texels.emplace_back(material.emissiveFactor, 0.0f);
     }
     materials_.emplace("materials", std::span<const glm::vec4>(texels));
@@ -129,9 +134,10 @@ void GpuMesh::bind() const {
 
 std::size_t GpuMesh::bytes() const {
     std::size_t sum = 0;
-    for (const auto* buffer : {&positions_, &shading_, &materials_, &vertexPositions_, &indices_}) sum += *buffer ? (*buffer)->bytes() : 0;
+    for (const auto* buffer : {&positions_, &shading_, &materials_, &vertexPositions_, &indices_})
+        sum += *buffer ? (*buffer)->bytes() : 0;
     for (const auto* texture : {&colorImages_, &dataImages_}) sum += *texture ? (*texture)->bytes() : 0;
     return sum;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

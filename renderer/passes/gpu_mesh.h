@@ -42,4 +42,4 @@ class GpuMesh {
     std::optional<gl::VertexArray> trianglesAsVertices_, vertices_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

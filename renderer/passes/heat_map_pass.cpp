@@ -2,7 +2,8 @@
 
 namespace timeshade {
 
-void HeatMapPass::draw(const Fullscreen& fullscreen, const gl::Texture& values, const HeatScale& scale, const gl::Texture& picture) {
+void HeatMapPass::draw(const Fullscreen& fullscreen, const gl::Texture& values, const HeatScale& scale,
+                       const gl::Texture& picture) {
     const gl::Program& program = programs_.get({"heat map", "passes/fullscreen.vert", "passes/heat_map.frag", {}});
     values.bind(0);
     target_.attach(GL_COLOR_ATTACHMENT0, picture);
@@ -13,4 +14,4 @@ void HeatMapPass::draw(const Fullscreen& fullscreen, const gl::Texture& values, 
     fullscreen.draw(program);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -17,11 +17,12 @@ class HeatMapPass {
   public:
     explicit HeatMapPass(gl::ProgramCache& programs) : programs_(programs), target_("heat map target") {}
     /// `values` is R32F, `picture` RGBA8 of the same size. A negative value is nothing.
-    void draw(const Fullscreen& fullscreen, const gl::Texture& values, const HeatScale& scale, const gl::Texture& picture);
+    void draw(const Fullscreen& fullscreen, const gl::Texture& values, const HeatScale& scale,
+              const gl::Texture& picture);
 
   private:
     gl::ProgramCache& programs_;
     gl::Framebuffer target_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -12,7 +12,8 @@ void NearTriangles::set(const std::vector<std::uint32_t>& triangles) {
     }
     if (!list_) list_.emplace("near-plane triangles", GL_R32UI);
     list_->reserve(count_, "fewer triangles must cross the light's near plane");
-    glNamedBufferSubData(list_->buffer().name(), 0, static_cast<GLsizeiptr>(count_ * sizeof(std::uint32_t)), triangles.data());
+    glNamedBufferSubData(list_->buffer().name(), 0, static_cast<GLsizeiptr>(count_ * sizeof(std::uint32_t)),
+                         triangles.data());
 }
 
 void NearTriangles::bind() const {
@@ -20,4 +21,4 @@ void NearTriangles::bind() const {
     list_->bindForReading(NEAR_TRIANGLES_UNIT);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

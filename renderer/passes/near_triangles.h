@@ -8,13 +8,14 @@
 
 namespace timeshade {
 
-/// The moving triangles that cross the light's near plane (LightMotion::nearPlane), on the GPU: they have no projection, and
-/// lib/near_triangles.glsl tries them one by one. Holds no memory while there are none.
+/// The moving triangles that cross the light's near plane (LightMotion::nearPlane), on the GPU: they have no
+/// projection, and lib/near_triangles.glsl tries them one by one. Holds no memory while there are none.
 class NearTriangles {
   public:
     void set(const std::vector<std::uint32_t>& triangles);
     std::size_t count() const { return count_; }
-    /// Binds the list to NEAR_TRIANGLES_UNIT and sets its length, uniform location 4, of the program in use. Only where there are any.
+    /// Binds the list to NEAR_TRIANGLES_UNIT and sets its length, uniform location 4, of the program in use. Only where
+    /// there are any.
     void bind() const;
     std::size_t bytes() const { return list_ ? list_->bytes() : 0; }
 
@@ -23,4 +24,4 @@ class NearTriangles {
     std::size_t count_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

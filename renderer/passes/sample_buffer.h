@@ -17,4 +17,4 @@ class SampleBuffer {
     gl::Texture ids_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -5,23 +5,23 @@ namespace timeshade {
 namespace {
 constexpr auto camera = StochasticRasterizer::Role::Camera;
 constexpr auto numbers = StochasticRasterizer::Output::TriangleId;
-} // namespace
+}  // namespace
 
 void SamplePass::forget() {
     seen_ = drawn_ = 0;
-    dropKept();
+    dropCache();
 }
 
-void SamplePass::dropKept() {
-    kept_ = 0;
-    keptIds_.reset();
-    keptDepth_.reset();
-    touched_.reset();
+void SamplePass::dropCache() {
+    cached_ = 0;
+    cachedIds_.reset();
+    cachedDepth_.reset();
+    dynamicPixels_.reset();
 }
 
 void SamplePass::draw(const FramePlan& plan, const GpuMesh& mesh, const SampleBuffer& samples) {
-    const std::uint64_t version = plan.still.samples;
-    const bool again = version != 0 && version == seen_, nothingMoves = plan.camera.moving.empty();
+    const std::uint64_t version = plan.versions.samples;
+    const bool again = version != 0 && version == seen_, nothingMoves = plan.camera.dynamicTriangles.empty();
     seen_ = version;
     if (nothingMoves && again && drawn_ == version) return;
     drawn_ = nothingMoves ? version : 0;
@@ -29,35 +29,40 @@ void SamplePass::draw(const FramePlan& plan, const GpuMesh& mesh, const SampleBu
     const int width = samples.ids().width(), height = samples.ids().height();
     if (!depth_ || depth_->width() != width || depth_->height() != height)
         depth_ = gl::Texture::array2D("sample depth", GL_DEPTH_COMPONENT32F, width, height, 1);
-    if (again && !nothingMoves) return drawKept(plan, mesh, samples);
-    dropKept();
-    rasterizer_.draw(mesh, plan.camera, {&plan.camera.still, &plan.camera.moving}, camera, numbers, plan.block.strata, &samples.ids(), *depth_);
+    if (again && !nothingMoves) return drawOntoCached(plan, mesh, samples);
+    dropCache();
+    rasterizer_.draw(mesh, plan.camera, {&plan.camera.staticTriangles, &plan.camera.dynamicTriangles}, camera, numbers,
+                     plan.block.strata, &samples.ids(), *depth_);
 }
 
-void SamplePass::drawKept(const FramePlan& plan, const GpuMesh& mesh, const SampleBuffer& samples) {
+void SamplePass::drawOntoCached(const FramePlan& plan, const GpuMesh& mesh, const SampleBuffer& samples) {
     const gl::Texture& ids = samples.ids();
-    if (!keptIds_) {
-        keptIds_ = gl::Texture::array2D("still sample ids", GL_R32UI, ids.width(), ids.height(), ids.layers());
-        keptDepth_ = gl::Texture::array2D("still sample depth", GL_DEPTH_COMPONENT32F, ids.width(), ids.height(), ids.layers());
-        touched_ = gl::Texture::image2D("touched pixels", GL_R8, ids.width(), ids.height());
+    if (!cachedIds_) {
+        cachedIds_ = gl::Texture::array2D("still sample ids", GL_R32UI, ids.width(), ids.height(), ids.layers());
+        cachedDepth_ =
+            gl::Texture::array2D("still sample depth", GL_DEPTH_COMPONENT32F, ids.width(), ids.height(), ids.layers());
+        dynamicPixels_ = gl::Texture::image2D("touched pixels", GL_R8, ids.width(), ids.height());
     }
-    if (kept_ != plan.still.samples)
-        StochasticRasterizer(programs_).draw(mesh, plan.camera, {&plan.camera.still}, camera, numbers, plan.block.strata, &*keptIds_, *keptDepth_);
-    kept_ = plan.still.samples;
-    const StochasticRasterizer::Start start{*keptIds_, *keptDepth_, *touched_};
-    rasterizer_.draw(mesh, plan.camera, {&plan.camera.moving}, camera, numbers, plan.block.strata, &ids, *depth_, &start);
+    if (cached_ != plan.versions.samples)
+        StochasticRasterizer(programs_).draw(mesh, plan.camera, {&plan.camera.staticTriangles}, camera, numbers,
+                                             plan.block.strata, &*cachedIds_, *cachedDepth_);
+    cached_ = plan.versions.samples;
+    const StochasticRasterizer::Start start{*cachedIds_, *cachedDepth_, *dynamicPixels_};
+    rasterizer_.draw(mesh, plan.camera, {&plan.camera.dynamicTriangles}, camera, numbers, plan.block.strata, &ids,
+                     *depth_, &start);
 }
 
-const gl::Texture* SamplePass::stillIds(const FramePlan& plan, const SampleBuffer& samples) const {
-    if (plan.still.samples == 0) return nullptr;
-    if (plan.camera.moving.empty()) return &samples.ids();
-    return kept_ == plan.still.samples && keptIds_ ? &*keptIds_ : nullptr;
+const gl::Texture* SamplePass::staticIds(const FramePlan& plan, const SampleBuffer& samples) const {
+    if (plan.versions.samples == 0) return nullptr;
+    if (plan.camera.dynamicTriangles.empty()) return &samples.ids();
+    return cached_ == plan.versions.samples && cachedIds_ ? &*cachedIds_ : nullptr;
 }
 
 std::size_t SamplePass::bytes() const {
     std::size_t sum = rasterizer_.bytes();
-    for (const auto* texture : {&depth_, &keptIds_, &keptDepth_, &touched_}) sum += *texture ? (*texture)->bytes() : 0;
+    for (const auto* texture : {&depth_, &cachedIds_, &cachedDepth_, &dynamicPixels_})
+        sum += *texture ? (*texture)->bytes() : 0;
     return sum;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

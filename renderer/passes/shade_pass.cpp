@@ -21,4 +21,4 @@ void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const 
     glDisable(GL_BLEND);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

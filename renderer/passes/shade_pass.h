@@ -28,4 +28,4 @@ class ShadePass {
     gl::Framebuffer target_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

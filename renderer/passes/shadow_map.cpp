@@ -15,14 +15,15 @@ Runs runsOf(const std::vector<std::uint32_t>& triangles) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (i == 0 || triangles[i] != triangles[i - 1] + 1) {
             runs.counts.push_back(0);
-            runs.offsets.push_back(reinterpret_cast<const void*>(std::size_t{triangles[i]} * 3 * sizeof(std::uint32_t)));
+            runs.offsets.push_back(
+                reinterpret_cast<const void*>(std::size_t{triangles[i]} * 3 * sizeof(std::uint32_t)));
         }
         runs.counts.back() += 3;
     }
     return runs;
 }
 
-} // namespace
+}  // namespace
 
 void ShadowMap::begin(const FramePlan& plan, float instant, const glm::mat3& mapFromPlane) {
     const int size = plan.request.mapSize;
@@ -38,7 +39,9 @@ void ShadowMap::begin(const FramePlan& plan, float instant, const glm::mat3& map
     }
     gl::ShaderDefines defines;
     if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
-    const gl::Program& program = programs_.get({"shadow map", "passes/shadow_map.vert", keepsTriangles_ ? "passes/triangle_number.frag" : "passes/depth_only.frag", defines});
+    const gl::Program& program =
+        programs_.get({"shadow map", "passes/shadow_map.vert",
+                       keepsTriangles_ ? "passes/triangle_number.frag" : "passes/depth_only.frag", defines});
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
@@ -60,7 +63,8 @@ void ShadowMap::drawRuns(const GpuMesh& mesh, const std::vector<std::uint32_t>& 
     const Runs runs = runsOf(triangles);
     glBindVertexArray(mesh.vertices().name());
     if (!triangles.empty())
-        glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.offsets.data(), static_cast<GLsizei>(runs.counts.size()));
+        glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.offsets.data(),
+                            static_cast<GLsizei>(runs.counts.size()));
     glDisable(GL_DEPTH_TEST);
 }
 
@@ -72,7 +76,8 @@ void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, 
     glDisable(GL_DEPTH_TEST);
 }
 
-void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const std::vector<std::uint32_t>& triangles) {
+void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant,
+                     const std::vector<std::uint32_t>& triangles) {
     begin(plan, instant, glm::mat3(1.0f));
     clear();
     drawRuns(mesh, triangles);
@@ -81,9 +86,9 @@ void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, 
 void ShadowMap::drawOnto(const ShadowMap& start, const FramePlan& plan, const GpuMesh& mesh, float instant,
                          const std::vector<std::uint32_t>& triangles) {
     begin(plan, instant, glm::mat3(1.0f));
-    glCopyImageSubData(start.depth().name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, depth_->name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, depth_->width(),
-                       depth_->height(), 1);
+    glCopyImageSubData(start.depth().name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, depth_->name(), GL_TEXTURE_2D_ARRAY, 0, 0,
+                       0, 0, depth_->width(), depth_->height(), 1);
     drawRuns(mesh, triangles);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

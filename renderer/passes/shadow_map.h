@@ -14,16 +14,20 @@ namespace timeshade {
 /// Reversed depth, as in StochasticRasterizer, 0 where there is nothing. Triangles are drawn from both sides.
 class ShadowMap {
   public:
-    /// `keepsTriangles`: beside the depth the number of the triangle that it is of, R32UI, 4 bytes a texel; only where all triangles are drawn.
-    explicit ShadowMap(gl::ProgramCache& programs, bool keepsTriangles = false) : programs_(programs), keepsTriangles_(keepsTriangles) {}
-    /// All triangles of the mesh. The frame's uniforms must be bound. `mapFromPlane` takes (s, t, 1) of the light's map plane to the map,
-    /// homogeneous with a weight that is positive inside it: a rotation, a shift, a perspective warp. What is stored is the reversed
-    /// depth divided by that weight.
-    void draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const glm::mat3& mapFromPlane = glm::mat3(1.0f));
+    /// `keepsTriangles`: beside the depth the number of the triangle that it is of, R32UI, 4 bytes a texel; only where
+    /// all triangles are drawn.
+    explicit ShadowMap(gl::ProgramCache& programs, bool keepsTriangles = false)
+        : programs_(programs), keepsTriangles_(keepsTriangles) {}
+    /// All triangles of the mesh. The frame's uniforms must be bound. `mapFromPlane` takes (s, t, 1) of the light's map
+    /// plane to the map, homogeneous with a weight that is positive inside it: a rotation, a shift, a perspective warp.
+    /// What is stored is the reversed depth divided by that weight.
+    void draw(const FramePlan& plan, const GpuMesh& mesh, float instant,
+              const glm::mat3& mapFromPlane = glm::mat3(1.0f));
     /// Those of a list in ascending order.
     void draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const std::vector<std::uint32_t>& triangles);
     /// As many more on top of what another map of the same size has.
-    void drawOnto(const ShadowMap& start, const FramePlan& plan, const GpuMesh& mesh, float instant, const std::vector<std::uint32_t>& triangles);
+    void drawOnto(const ShadowMap& start, const FramePlan& plan, const GpuMesh& mesh, float instant,
+                  const std::vector<std::uint32_t>& triangles);
 
     const gl::Texture& depth() const { return *depth_; }
     bool keepsTriangles() const { return keepsTriangles_; }
@@ -43,4 +47,4 @@ class ShadowMap {
     std::optional<gl::Texture> depth_, triangles_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -7,7 +7,8 @@ namespace timeshade {
 
 namespace {
 
-gl::ShaderDefines definesFor(const ViewPlan& view, StochasticRasterizer::Role role, StochasticRasterizer::Output output) {
+gl::ShaderDefines definesFor(const ViewPlan& view, StochasticRasterizer::Role role,
+                             StochasticRasterizer::Output output) {
     gl::ShaderDefines defines;
     if (role == StochasticRasterizer::Role::Light) defines.emplace_back("VIEW_LIGHT", "1");
     if (view.turns) defines.emplace_back("VIEW_TURNS", "1");
@@ -28,11 +29,11 @@ bool uploadList(std::optional<gl::Buffer>& buffer, const char* label, const std:
 }
 
 void copyLayer(const gl::Texture& from, int fromLayer, const gl::Texture& to, int toLayer) {
-    glCopyImageSubData(from.name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, fromLayer, to.name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, toLayer, from.width(),
-                       from.height(), 1);
+    glCopyImageSubData(from.name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, fromLayer, to.name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0,
+                       toLayer, from.width(), from.height(), 1);
 }
 
-} // namespace
+}  // namespace
 
 StochasticRasterizer::StochasticRasterizer(gl::ProgramCache& programs)
     : programs_(programs), target_("stochastic raster target"), none_("no attributes") {}
@@ -45,16 +46,18 @@ void StochasticRasterizer::upload(Uploaded& uploaded, const TriangleLists& lists
     uploaded.largeCount = lists.large.size();
 }
 
-void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, std::initializer_list<const TriangleLists*> lists, Role role,
-                                Output output, std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth, const Start* start) {
+void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
+                                std::initializer_list<const TriangleLists*> lists, Role role, Output output,
+                                std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth,
+                                const Start* start) {
     uploaded_.resize(lists.size());
     for (std::size_t i = 0; i < lists.size(); ++i) upload(uploaded_[i], *lists.begin()[i]);
     gl::ShaderDefines defines = definesFor(view, role, output);
-    if (start) defines.emplace_back("OUTPUT_TOUCHED", "1");
+    if (start) defines.emplace_back("OUTPUT_DYNAMIC_PIXELS", "1");
     const gl::Program& points =
         programs_.get({"stochastic points", "passes/stochastic_points.vert", "passes/stochastic.frag", defines});
-    const gl::Program& rectangles =
-        programs_.get({"stochastic rectangles", "passes/stochastic_rectangles.vert", "passes/stochastic.frag", defines});
+    const gl::Program& rectangles = programs_.get(
+        {"stochastic rectangles", "passes/stochastic_rectangles.vert", "passes/stochastic.frag", defines});
 
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
@@ -65,8 +68,8 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view, std::
     target_.setColorCount(start ? 2 : color ? 1 : 0);
     if (start) {
         const GLfloat nothing = 0.0f;
-        glClearTexImage(start->touched.name(), 0, GL_RED, GL_FLOAT, &nothing);
-        target_.attach(GL_COLOR_ATTACHMENT1, start->touched);
+        glClearTexImage(start->dynamicPixels.name(), 0, GL_RED, GL_FLOAT, &nothing);
+        target_.attach(GL_COLOR_ATTACHMENT1, start->dynamicPixels);
     }
     for (std::uint32_t stratum = 0; stratum < strata; ++stratum) {
         const int layer = static_cast<int>(stratum), depthLayer = depth.layers() > 1 ? layer : 0;
@@ -113,8 +116,9 @@ void StochasticRasterizer::clear(Output output, bool color) const {
 
 std::size_t StochasticRasterizer::bytes() const {
     std::size_t sum = 0;
-    for (const Uploaded& list : uploaded_) sum += (list.small ? list.small->bytes() : 0) + (list.large ? list.large->bytes() : 0);
+    for (const Uploaded& list : uploaded_)
+        sum += (list.small ? list.small->bytes() : 0) + (list.large ? list.large->bytes() : 0);
     return sum;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -20,19 +20,21 @@ class StochasticRasterizer {
 
     explicit StochasticRasterizer(gl::ProgramCache& programs);
 
-    /// What the layers hold before anything is drawn, instead of nothing: the same layers of other textures. `touched` (R8, one layer for all
-    /// strata) gets 1 where anything is drawn onto that.
+    /// What the layers hold before anything is drawn, instead of nothing: the same layers of other textures. `touched`
+    /// (R8, one layer for all strata) gets 1 where anything is drawn onto that.
     struct Start {
         const gl::Texture& color;
         const gl::Texture& depth;
-        const gl::Texture& touched;
+        const gl::Texture& dynamicPixels;
     };
 
-    /// Draws the lists in turn. `color` (one layer a stratum, if the output has one) and `depth` (one layer a stratum, or one layer used
-    /// for every stratum in turn) are cleared first, or take what `start` has. Depth is reversed: near / distance under perspective,
-    /// 1 - distance / far when orthographic, 0 where nothing is. The frame's uniforms and the mesh must be bound.
-    void draw(const GpuMesh& mesh, const ViewPlan& view, std::initializer_list<const TriangleLists*> lists, Role role, Output output,
-              std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth, const Start* start = nullptr);
+    /// Draws the lists in turn. `color` (one layer a stratum, if the output has one) and `depth` (one layer a stratum,
+    /// or one layer used for every stratum in turn) are cleared first, or take what `start` has. Depth is reversed:
+    /// near / distance under perspective, 1 - distance / far when orthographic, 0 where nothing is. The frame's
+    /// uniforms and the mesh must be bound.
+    void draw(const GpuMesh& mesh, const ViewPlan& view, std::initializer_list<const TriangleLists*> lists, Role role,
+              Output output, std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth,
+              const Start* start = nullptr);
 
     std::size_t bytes() const;
 
@@ -52,4 +54,4 @@ class StochasticRasterizer {
     std::vector<Uploaded> uploaded_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

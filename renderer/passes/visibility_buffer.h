@@ -18,4 +18,4 @@ class VisibilityBuffer {
     gl::Texture lit_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

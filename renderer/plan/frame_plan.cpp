@@ -25,7 +25,8 @@ ViewEnd cameraEnd(const CameraPose& pose, const glm::dvec3& origin, double aspec
     return end;
 }
 
-ViewPlan planCamera(const Scene& scene, const FrameRequest& request, const glm::dvec3& origin, double open, double close) {
+ViewPlan planCamera(const Scene& scene, const FrameRequest& request, const glm::dvec3& origin, double open,
+                    double close) {
     const CameraPose first = request.cameraPose ? *request.cameraPose : scene.camera(request.cameraIndex, open);
     const CameraPose last = request.cameraPose ? first : scene.camera(request.cameraIndex, close);
     const double aspect = static_cast<double>(request.width) / request.height;
@@ -104,16 +105,20 @@ double exposureOf(const Scene& scene) {
 /// What the meshes do, each as a whole: by the one of its triangles that does most.
 void countInstances(const FramePlan& plan, MotionSummary& motion) {
     const MeshTopology& topology = *plan.mesh->topology;
-    enum : char { still, moving, bending };
+    enum : char { still, moving, nonTranslating };
     std::vector<char> does(topology.instanceCount, still);
     for (std::size_t id = 0; id < plan.triangles->size(); ++id) {
         const TriangleMotion& triangle = (*plan.triangles)[id];
         char& instance = does[topology.triangleInstances[id]];
-        instance = std::max(instance, static_cast<char>(triangle.bends ? bending : triangle.light.moves ? moving : still));
+        instance = std::max(instance, static_cast<char>(triangle.nonTranslating ? nonTranslating
+                                                        : triangle.light.moves  ? moving
+                                                                                : still));
     }
     motion.instances = does.size();
-    motion.bendingInstances = static_cast<std::size_t>(std::count(does.begin(), does.end(), char{bending}));
-    motion.movingInstances = motion.bendingInstances + static_cast<std::size_t>(std::count(does.begin(), does.end(), char{moving}));
+    motion.nonTranslatingInstances =
+        static_cast<std::size_t>(std::count(does.begin(), does.end(), char{nonTranslating}));
+    motion.movingInstances =
+        motion.nonTranslatingInstances + static_cast<std::size_t>(std::count(does.begin(), does.end(), char{moving}));
 }
 
 MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
@@ -132,12 +137,13 @@ std::string motionWords(const MotionSummary& motion) {
                        motion.lightMoves ? "moves" : "stands still", motion.cameraMoves ? "moves" : "stands still");
 }
 
-} // namespace
+}  // namespace
 
 FramePlanner::FramePlanner(const Scene& scene)
-    : scene_(scene), origin_(scene.bounds().centre()), exposure_(exposureOf(scene)),
-      // Of one instant, whichever frame is asked for first: no frame depends on those before it.
-      surfaces_(std::make_shared<const ClosedSurfaces>(scene.motionMesh(0.0, 0.0), scene.materials())) {}
+    : scene_(scene),
+      origin_(scene.bounds().centre()),
+      exposure_(exposureOf(scene)),
+      rest_(std::make_shared<const RestPose>(scene)) {}
 
 void FramePlanner::deform(double openSeconds, double closeSeconds) {
     if (mesh_ && openSeconds == openSeconds_ && closeSeconds == closeSeconds_) return;
@@ -185,44 +191,45 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     decideMotion(plan);
 
     plan.motion = summarise(plan, movingTriangles_);
-    const std::size_t seen = plan.camera.still.count() + plan.camera.moving.count();
-    plan.passes.push_back({"sample", fmt::format("{}; {} triangles face away throughout, {} are never in the picture",
-                                                 motionWords(plan.motion), plan.camera.facingAwayTriangles, plan.camera.outsideTriangles),
-                           seen});
+    const std::size_t seen = plan.camera.staticTriangles.count() + plan.camera.dynamicTriangles.count();
+    plan.passes.push_back(
+        {"sample",
+         fmt::format("{}; {} triangles face away throughout, {} are never in the picture", motionWords(plan.motion),
+                     plan.camera.facingAwayTriangles, plan.camera.outsideTriangles),
+         seen});
     if (plan.motion.largestTurnDegrees > turnWarningDegrees)
-        plan.warnings.push_back(fmt::format("something turns by {:.0f} degrees in this shutter; vertices move on straight lines, which "
-                                            "shrinks it by {:.1f} % half-way (at most {:.0f} degrees keep that under 0.9 %)",
-                                            plan.motion.largestTurnDegrees,
-                                            100.0 * (1.0 - std::cos(glm::radians(0.5 * plan.motion.largestTurnDegrees))),
-                                            turnWarningDegrees));
+        plan.warnings.push_back(fmt::format(
+            "something turns by {:.0f} degrees in this shutter; vertices move on straight lines, which "
+            "shrinks it by {:.1f} % half-way (at most {:.0f} degrees keep that under 0.9 %)",
+            plan.motion.largestTurnDegrees,
+            100.0 * (1.0 - std::cos(glm::radians(0.5 * plan.motion.largestTurnDegrees))), turnWarningDegrees));
     return plan;
 }
 
 void FramePlanner::decideMotion(FramePlan& plan) {
-    const MotionMemory::Motion motion = memory_.update(plan.texels, {plan.camera, plan.light, plan.block});
+    const MotionClassifier::Motion motion = memory_.update(plan.texels, {plan.camera, plan.light, plan.block});
     plan.triangles = motion.triangles;
-    plan.motion.decidedAnew = motion.decidedAnew;
-    const bool planned = plan.request.planned;
+    plan.motion.reclassified = motion.reclassified;
+    const bool planned = !plan.request.forceDynamic;
     listTriangles(plan.camera, *plan.triangles, &TriangleMotion::camera, {.dropFacingAway = true, .allMove = !planned});
     // Backs cast shadows too, whatever the material says.
     const ListRules lightRules{.dropUnseenShadows = planned, .allMove = !planned};
     listTriangles(plan.light, *plan.triangles, &TriangleMotion::light, lightRules);
     plan.casters = casterLists(*plan.triangles, lightRules);
-    plan.surfaces = surfaces_;
-    plan.crossedInPairs = planned ? surfaces_->crossedInPairs(*plan.mesh, plan.origin, plan.camera, plan.light)
-                                  : std::vector<char>(surfaces_->count() + 1, 0);
-    if (!planned || !plan.request.keeps) return;
-    plan.still = motion.versions;
+    plan.rest = rest_;
+    if (!planned || !plan.request.useCaches) return;
+    plan.versions = motion.versions;
     const bool lightMoves = plan.block.lightPositionOpen != plan.block.lightPositionClose;
-    if (plan.camera.still.empty()) plan.still.samples = 0;
-    if (plan.still.samples == 0 || lightMoves) plan.still.lit = 0;
-    if (plan.still.lit != 0 && !plan.casters.nothingMoves()) plan.reached = maskOfMovingCasters(plan.casters, *motion.inMap, plan.request.mapSize);
+    if (plan.camera.staticTriangles.empty()) plan.versions.samples = 0;
+    if (plan.versions.samples == 0 || lightMoves) plan.versions.lit = 0;
+    if (plan.versions.lit != 0 && !plan.casters.nothingMoves())
+        plan.reached = maskOfDynamicCasters(plan.casters, *motion.inMap, plan.request.mapSize);
 }
 
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {
     FramePlan instant = plan;
     // Its samples are others.
-    instant.still.samples = instant.still.lit = 0;
+    instant.versions.samples = instant.versions.lit = 0;
     instant.block.timeBase = (static_cast<float>(m) + 0.5f) / static_cast<float>(renders);
     instant.block.timeScale = 0.0f;
     instant.block.strata = 1;
@@ -232,4 +239,4 @@ FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {
     return instant;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -7,11 +7,11 @@
 
 #include <glm/glm.hpp>
 
-#include "plan/closed_surfaces.h"
+#include "plan/dynamic_caster_mask.h"
 #include "plan/frame_request.h"
 #include "plan/light_motion.h"
-#include "plan/motion_memory.h"
-#include "plan/moving_mask.h"
+#include "plan/motion_classifier.h"
+#include "plan/rest_pose.h"
 #include "plan/triangle_motion.h"
 #include "plan/view_plan.h"
 #include "scene/light.h"
@@ -33,8 +33,9 @@ struct MotionSummary {
     std::size_t movingTriangles = 0;  ///< any vertex moves in the world
     bool lightMoves = false;
     bool cameraMoves = false;
-    std::size_t decidedAnew = 0;      ///< triangles whose motion was not known from the frame before
-    std::size_t instances = 0, movingInstances = 0, bendingInstances = 0;  ///< meshes; that move in the light's frame; of those, that turn or deform
+    std::size_t reclassified = 0;  ///< triangles whose motion was not known from the frame before
+    std::size_t instances = 0, movingInstances = 0,
+                nonTranslatingInstances = 0;  ///< meshes; that move in the light's frame; of those, that turn or deform
     double largestTurnDegrees = 0.0;
 };
 
@@ -59,11 +60,11 @@ struct FramePlan {
     shared::FrameBlock block{};
     MotionSummary motion;
     std::shared_ptr<const std::vector<TriangleMotion>> triangles;  ///< what each does in this shutter
-    LightMotion casters;    ///< the light's side of it, by the way in which a technique has to draw them
-    std::shared_ptr<const ClosedSurfaces> surfaces;
-    std::vector<char> crossedInPairs;  ///< as ClosedSurfaces says; all false where the request is not planned
-    StillVersions still;    ///< what may be kept from frame to frame
-    MovingMask reached;     ///< where in the light's map something that moves may cast a shadow; empty unless still.lit
+    LightMotion casters;                   ///< the light's side of it, by the way in which a technique has to draw them
+    std::shared_ptr<const RestPose> rest;  ///< of the scene: the same for all of a planner's frames
+    StaticVersions versions;               ///< what may be kept from frame to frame
+    DynamicCasterMask
+        reached;  ///< where in the light's map something that moves may cast a shadow; empty unless still.lit
     std::vector<PassDecision> passes;
     std::vector<std::string> warnings;
     const std::vector<Material>* materials = nullptr;  ///< the scene's, which outlives the plan
@@ -86,15 +87,16 @@ class FramePlanner {
     double exposure_ = 1.0;
     double openSeconds_ = 0.0, closeSeconds_ = -1.0;
     std::shared_ptr<const MotionMesh> mesh_;
-    std::shared_ptr<const ClosedSurfaces> surfaces_;
+    std::shared_ptr<const RestPose> rest_;
     std::shared_ptr<const MeshTexels> texels_;
     Bounds extent_;
     std::size_t movingTriangles_ = 0;
-    MotionMemory memory_;
+    MotionClassifier memory_;
 };
 
 /// The plan of render m of `renders` of the same frame: one camera sample per pixel, all of them at the instant
-/// u = (m + 1/2) / renders, with another position inside the pixel in each render, and 1 / renders of the picture's weight. What brute force draws.
+/// u = (m + 1/2) / renders, with another position inside the pixel in each render, and 1 / renders of the picture's
+/// weight. What brute force draws.
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -11,16 +11,17 @@ namespace timeshade {
 /// Everything about a frame that does not depend on the technique. Two equal requests for one scene give equal
 /// frames.
 struct FrameRequest {
-    int width = 640;            ///< pixels, 1 .. 16384
+    int width = 640;  ///< pixels, 1 .. 16384
     int height = 480;
-    int samplesPerPixel = 8;    ///< 1 .. 32, one per stratum of the shutter
-    int mapSize = 1024;         ///< texels along a side of the light's map, 16 .. 8192
+    int samplesPerPixel = 8;  ///< 1 .. 32, one per stratum of the shutter
+    int mapSize = 1024;       ///< texels along a side of the light's map, 16 .. 8192
     std::uint32_t seed = 1;
-    double frame = 0.0;         ///< number of the frame; whole numbers unless scrubbing
+    double frame = 0.0;  ///< number of the frame; whole numbers unless scrubbing
     Shutter shutter;
     std::size_t cameraIndex = 0;
-    bool planned = true;        ///< false: every triangle is treated as moving, none is left out for what nobody sees, nothing is kept
-    bool keeps = true;          ///< false: what stands still is drawn anew in every frame
+    bool forceDynamic =
+        false;  ///< every triangle is treated as dynamic, none is culled for what nobody sees, nothing is cached
+    bool useCaches = true;                 ///< false: what is static is drawn again in every frame
     std::optional<CameraPose> cameraPose;  ///< replaces the scene's camera (held still over the shutter)
 };
 
@@ -29,4 +30,4 @@ inline constexpr int minimumMapSize = 16;
 inline constexpr int maximumMapSize = 8192;
 inline constexpr int maximumImageSide = 16384;
 
-} // namespace timeshade
+}  // namespace timeshade

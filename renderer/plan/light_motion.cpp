@@ -8,17 +8,17 @@ LightMotion casterLists(const std::vector<TriangleMotion>& triangles, const List
         const TriangleMotion& triangle = triangles[id];
         if (triangle.light.reach == Reach::Outside) continue;
         if (!triangle.light.moves && !rules.allMove) {
-            lists.still.push_back(id);
+            lists.staticCasters.push_back(id);
         } else if (rules.dropUnseenShadows && !triangle.shadowMayBeSeen) {
             continue;
         } else if (triangle.light.reachesNearPlane) {
             lists.nearPlane.push_back(id);
         } else {
-            lists.moving.push_back(id);
-            if (triangle.bends) ++lists.bending;
+            lists.dynamicCasters.push_back(id);
+            if (triangle.nonTranslating) ++lists.nonTranslating;
         }
     }
     return lists;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

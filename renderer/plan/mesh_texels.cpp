@@ -20,7 +20,8 @@ MeshTexels packMesh(const MotionMesh& mesh, const std::vector<Material>& materia
     for (std::size_t i = 0; i < topology.triangles.size(); ++i) {
         const glm::u32vec3 v = topology.triangles[i];
         const std::uint32_t material = topology.triangleMaterials[i];
-        const glm::vec3 &a0 = open[v.x], &a1 = open[v.y], &a2 = open[v.z], &b0 = close[v.x], &b1 = close[v.y], &b2 = close[v.z];
+        const glm::vec3 &a0 = open[v.x], &a1 = open[v.y], &a2 = open[v.z], &b0 = close[v.x], &b1 = close[v.y],
+                        &b2 = close[v.z];
         position[0] = {a0.x, a0.y, a0.z, a1.x};
         position[1] = {a1.y, a1.z, a2.x, a2.y};
         position[2] = {a2.z, b0.x, b0.y, b0.z};
@@ -50,4 +51,4 @@ std::size_t countMovingTriangles(const MotionMesh& mesh) {
     return count;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

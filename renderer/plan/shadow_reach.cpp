@@ -8,20 +8,23 @@ namespace timeshade {
 
 namespace {
 
-/// The five planes of a view's frustum as linear functions of its coordinates that are positive inside: 0 < X < Z, 0 < Y < Z, and Z > 0.
+/// The five planes of a view's frustum as linear functions of its coordinates that are positive inside: 0 < X < Z, 0 <
+/// Y < Z, and Z > 0.
 std::array<float, 5> planes(const glm::vec3& v) { return {v.x, v.z - v.x, v.y, v.z - v.y, v.z}; }
 
 float largest(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-} // namespace
+}  // namespace
 
-// Behind a vertex p, seen from the light l, lie the points p + t (p - l), t >= 0. A plane's function f is linear, so all of them are
-// outside where f(p) < 0 and f(p) - f(l) < 0; and so are, p and l being linear in u and a triangle the hull of its vertices, all points behind
-// the triangle at all times where that holds for three vertices at both ends.
+// Behind a vertex p, seen from the light l, lie the points p + t (p - l), t >= 0. A plane's function f is linear, so
+// all of them are outside where f(p) < 0 and f(p) - f(l) < 0; and so are, p and l being linear in u and a triangle the
+// hull of its vertices, all points behind the triangle at all times where that holds for three vertices at both ends.
 bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera) {
     if (views.camera.turns || views.camera.projection != Projection::Perspective) return true;
     bool outside[5] = {true, true, true, true, true};
-    const auto mayBeSeen = [&] { return std::none_of(std::begin(outside), std::end(outside), [](bool yes) { return yes; }); };
+    const auto mayBeSeen = [&] {
+        return std::none_of(std::begin(outside), std::end(outside), [](bool yes) { return yes; });
+    };
     // Most triangles are before the camera themselves, and no more needs to be asked.
     for (const bool close : {false, true}) {
         for (const glm::vec3& vertex : close ? inCamera.close : inCamera.open) {
@@ -33,8 +36,11 @@ bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera) {
     }
     const bool directional = views.block.lightDirection.w != 0.0f;
     for (const bool close : {false, true}) {
-        const glm::mat4& viewFromWorld = close ? views.camera.block.viewFromWorldClose : views.camera.block.viewFromWorldOpen;
-        const glm::vec3 light(viewFromWorld * glm::vec4(glm::vec3(close ? views.block.lightPositionClose : views.block.lightPositionOpen), 1.0f));
+        const glm::mat4& viewFromWorld =
+            close ? views.camera.block.viewFromWorldClose : views.camera.block.viewFromWorldOpen;
+        const glm::vec3 light(
+            viewFromWorld *
+            glm::vec4(glm::vec3(close ? views.block.lightPositionClose : views.block.lightPositionOpen), 1.0f));
         const glm::vec3 direction = glm::mat3(viewFromWorld) * glm::vec3(views.block.lightDirection);
         for (const glm::vec3& vertex : close ? inCamera.close : inCamera.open) {
             const glm::vec3 onwards = directional ? direction : vertex - light;
@@ -46,4 +52,4 @@ bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera) {
     return mayBeSeen();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -13,17 +13,20 @@ namespace {
 
 float sizeOf(const glm::vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// By the signs of a vertex times the cross product of two edges: a cubic in u, by its Bernstein coefficients. Edges first, so that small triangles
-/// far away keep their precision.
+/// By the signs of a vertex times the cross product of two edges: a cubic in u, by its Bernstein coefficients. Edges
+/// first, so that small triangles far away keep their precision.
 Facing facingOf(const ViewTriangle& t, Projection projection) {
-    const glm::vec3 a1 = t.open[1] - t.open[0], a2 = t.open[2] - t.open[0], b1 = t.close[1] - t.close[0], b2 = t.close[2] - t.close[0];
+    const glm::vec3 a1 = t.open[1] - t.open[0], a2 = t.open[2] - t.open[0], b1 = t.close[1] - t.close[0],
+                    b2 = t.close[2] - t.close[0];
     const bool flat = projection == Projection::Orthographic;
     const glm::vec3 a = flat ? glm::vec3(0.0f, 0.0f, 1.0f) : t.open[0], b = flat ? a : t.close[0];
-    const glm::vec3 normalOpen = glm::cross(a1, a2), normalClose = glm::cross(b1, b2), between = glm::cross(a1, b2) + glm::cross(b1, a2);
+    const glm::vec3 normalOpen = glm::cross(a1, a2), normalClose = glm::cross(b1, b2),
+                    between = glm::cross(a1, b2) + glm::cross(b1, a2);
     const float first = glm::dot(a, normalOpen), second = glm::dot(b, normalOpen) + glm::dot(a, between);
     const float third = glm::dot(b, between) + glm::dot(a, normalClose), last = glm::dot(b, normalClose);
     // Each coordinate carries the rounding of its place: so much of an edge times an edge times a place may be wrong.
-    const float length = sizeOf(a1) + sizeOf(a2) + sizeOf(b1) + sizeOf(b2), place = sizeOf(t.open[0]) + sizeOf(t.close[0]) + length;
+    const float length = sizeOf(a1) + sizeOf(a2) + sizeOf(b1) + sizeOf(b2),
+                place = sizeOf(t.open[0]) + sizeOf(t.close[0]) + length;
     const float slack = 1.5e-7f * place * length * (sizeOf(a) + sizeOf(b));
     if (first < -slack && second < -slack && third < -slack && last < -slack) return Facing::Away;
     if (first > slack && second > slack && third > slack && last > slack) return Facing::Towards;
@@ -44,7 +47,10 @@ OpenAndSwept openAndSwept(const ViewTriangle& t, float nearDistance) {
     bounds.swept = shared::boundsOfExtremes(extremes);
     const float farthestOpen = std::max({t.open[0].z, t.open[1].z, t.open[2].z});
     const float farthest = std::max({farthestOpen, t.close[0].z, t.close[1].z, t.close[2].z});
-    const auto hide = [](shared::SweptBounds& b) { b.low = glm::vec2(1.0f); b.high = glm::vec2(0.0f); };
+    const auto hide = [](shared::SweptBounds& b) {
+        b.low = glm::vec2(1.0f);
+        b.high = glm::vec2(0.0f);
+    };
     if (!(farthestOpen > nearDistance)) hide(bounds.open);
     if (!(farthest > nearDistance)) hide(bounds.swept);
     return bounds;
@@ -97,7 +103,7 @@ ViewMotion motionIn(const ViewPlan& view, const ViewTriangle& t, const OpenAndSw
 }
 
 /// Do the vertices take different ways? By more than the rounding of the view's coordinates.
-bool bends(const ViewTriangle& t) {
+bool nonTranslating(const ViewTriangle& t) {
     float size = 0.0f, difference = 0.0f;
     for (int i = 0; i < 3; ++i) {
         const glm::vec3 other = (t.close[i] - t.open[i]) - (t.close[0] - t.open[0]);
@@ -114,9 +120,10 @@ bool movesInWorld(const glm::vec4* texels) {
     return !std::equal(open, open + 9, open + 9);
 }
 
-} // namespace
+}  // namespace
 
-TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint32_t id, const FrameViews& views, shared::SweptBounds& inMap) {
+TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint32_t id, const FrameViews& views,
+                        shared::SweptBounds& inMap) {
     const ViewTriangle inCamera = viewTriangle(views.camera.block, positionTexels, id);
     const ViewTriangle inLight = viewTriangle(views.light.block, positionTexels, id);
     TriangleMotion motion;
@@ -126,13 +133,14 @@ TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint3
     const OpenAndSwept lightBounds = openAndSwept(views.light, inLight);
     inMap = lightBounds.swept;
     motion.light = motionIn(views.light, inLight, lightBounds, views.block.strata);
-    motion.bends = motion.light.moves && bends(inLight);
+    motion.nonTranslating = motion.light.moves && nonTranslating(inLight);
     motion.shadowMayBeSeen = shadowMayBeSeen(views, inCamera);
     return motion;
 }
 
-void listTriangles(ViewPlan& view, const std::vector<TriangleMotion>& triangles, ViewMotion TriangleMotion::*part, const ListRules& rules) {
-    view.still = view.moving = {};
+void listTriangles(ViewPlan& view, const std::vector<TriangleMotion>& triangles, ViewMotion TriangleMotion::*part,
+                   const ListRules& rules) {
+    view.staticTriangles = view.dynamicTriangles = {};
     view.outsideTriangles = view.facingAwayTriangles = view.unseenTriangles = 0;
     for (std::uint32_t id = 0; id < triangles.size(); ++id) {
         const TriangleMotion& triangle = triangles[id];
@@ -144,10 +152,10 @@ void listTriangles(ViewPlan& view, const std::vector<TriangleMotion>& triangles,
         } else if (rules.dropUnseenShadows && motion.moves && !triangle.shadowMayBeSeen) {
             ++view.unseenTriangles;
         } else {
-            TriangleLists& lists = motion.moves || rules.allMove ? view.moving : view.still;
+            TriangleLists& lists = motion.moves || rules.allMove ? view.dynamicTriangles : view.staticTriangles;
             (motion.small ? lists.small : lists.large).push_back(id);
         }
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

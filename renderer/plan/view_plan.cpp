@@ -15,7 +15,7 @@ glm::mat4 viewMatrix(const glm::dmat3& viewFromWorld, const glm::dvec3& eye) {
     return glm::mat4(matrix);
 }
 
-} // namespace
+}  // namespace
 
 void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double farDistance) {
     shared::ViewBlock& block = view.block;
@@ -34,7 +34,8 @@ void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double far
     }
     const glm::dmat3 open = rayMatrix(view.open), close = rayMatrix(view.close);
     double difference = 0.0;
-    for (int column = 0; column < 3; ++column) difference = std::max(difference, glm::length(open[column] - close[column]));
+    for (int column = 0; column < 3; ++column)
+        difference = std::max(difference, glm::length(open[column] - close[column]));
     view.turns = difference > 1e-12;
     // A turning view is described in the axes that it has half-way, so that the rays stay near to the identity.
     const glm::dmat3 viewFromWorld = glm::inverse(view.turns ? 0.5 * (open + close) : open);
@@ -46,4 +47,4 @@ void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double far
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -37,7 +37,7 @@ struct ViewPlan {
     shared::ViewBlock block{};
 
     /// Triangles that may be seen, each in one list: apart by whether they move relative to the view.
-    TriangleLists still, moving;
+    TriangleLists staticTriangles, dynamicTriangles;
     std::size_t outsideTriangles = 0;     ///< dropped: never inside the view
     std::size_t facingAwayTriangles = 0;  ///< dropped: one-sided and turned away all through the shutter
     std::size_t unseenTriangles = 0;      ///< dropped: moving casters whose shadow nobody sees
@@ -49,4 +49,4 @@ inline constexpr int maximumPointSide = 63;
 /// Fills the block's matrices from the ends of the view. near and far in world units.
 void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double farDistance);
 
-} // namespace timeshade
+}  // namespace timeshade

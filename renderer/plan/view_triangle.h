@@ -18,9 +18,10 @@ struct ViewTriangle {
     bool doubleSided = false;
 };
 
-/// Triangle `id` of a mesh's uploaded texels (MeshTexels::positions): computed from the very numbers that the GPU sees, in
-/// float as it does.
-ViewTriangle viewTriangle(const shared::ViewBlock& block, const std::vector<glm::vec4>& positionTexels, std::uint32_t id);
+/// Triangle `id` of a mesh's uploaded texels (MeshTexels::positions): computed from the very numbers that the GPU sees,
+/// in float as it does.
+ViewTriangle viewTriangle(const shared::ViewBlock& block, const std::vector<glm::vec4>& positionTexels,
+                          std::uint32_t id);
 
 /// Where in the image the triangle may be seen during the shutter.
 shared::SweptBounds boundsOf(const ViewPlan& view, const ViewTriangle& triangle);
@@ -28,4 +29,4 @@ shared::SweptBounds boundsOf(const ViewPlan& view, const ViewTriangle& triangle)
 /// Do the bounds meet the image at all? With a slack far above the rounding of a projection.
 bool meetsImage(const shared::SweptBounds& bounds);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "scene/gltf_accessors.h"
 
 namespace timeshade::gltf {
@@ -46,11 +46,12 @@ void slerp(const float* from, const float* to, double fraction, double* out) {
 double hermite(double from, double outTangent, double inTangent, double to, double length, double t) {
     const double t2 = t * t;
     const double t3 = t2 * t;
-    return (2.0 * t3 - 3.0 * t2 + 1.0) * from + length * (t3 - 2.0 * t2 + t) * outTangent +
-           (3.0 * t2 - 2.0 * t3) * to + length * (t3 - t2) * inTangent;
+    return (2.0 * t3 - 3.0 * t2 + 1.0) * from + length * (t3 - 2.0 * t2 + t) * outTangent + (3.0 * t2 - 2.0 * t3) * to +
+           length * (t3 - t2) * inTangent;
 }
 
-std::shared_ptr<const std::vector<double>> readTimes(const Model& model, int accessor, KeyCache& cache, const std::string& what) {
+std::shared_ptr<const std::vector<double>> readTimes(const Model& model, int accessor, KeyCache& cache,
+                                                     const std::string& what) {
     auto& known = cache.times[accessor];
     if (known) return known;
     const std::vector<float> read = readFloats(model, accessor, 1, Integers::Forbidden, what + " key times");
@@ -95,11 +96,12 @@ Track readTrack(const Model& model, const AnimationSampler& sampler, const Anima
     const std::size_t perKey = sampler.interpolation == Interpolation::CubicSpline ? 3 : 1;
     const std::size_t expected = track.times->size() * perKey * track.width;
     if (track.values->size() != expected)
-        throw Error(fmt::format("{}: {} numbers for {} keys, expected {}", what, track.values->size(), track.times->size(), expected));
+        throw Error(fmt::format("{}: {} numbers for {} keys, expected {}", what, track.values->size(),
+                                track.times->size(), expected));
     return track;
 }
 
-} // namespace
+}  // namespace
 
 bool Track::holds(std::size_t key) const {
     const bool cubic = interpolation == Interpolation::CubicSpline;
@@ -107,14 +109,16 @@ bool Track::holds(std::size_t key) const {
     const float* from = values->data() + key * perKey + (cubic ? width : 0);
     if (!std::equal(from, from + width, from + perKey)) return false;
     const auto zero = [](float tangent) { return tangent == 0.0f; };
-    return !cubic || (std::all_of(from + width, from + 2 * width, zero) && std::all_of(from + 2 * width, from + 3 * width, zero));
+    return !cubic ||
+           (std::all_of(from + width, from + 2 * width, zero) && std::all_of(from + 2 * width, from + 3 * width, zero));
 }
 
 void Track::sample(double seconds, double* out) const {
     const bool cubic = interpolation == Interpolation::CubicSpline;
     const std::size_t perKey = cubic ? 3 * width : width;
     const float* keys = values->data() + (cubic ? width : 0);  // the value itself is the middle of a spline's three
-    const auto after = static_cast<std::size_t>(std::upper_bound(times->begin(), times->end(), seconds) - times->begin());
+    const auto after =
+        static_cast<std::size_t>(std::upper_bound(times->begin(), times->end(), seconds) - times->begin());
     const std::size_t before = after == 0 ? 0 : after - 1;
     const float* from = keys + before * perKey;
 
@@ -132,7 +136,8 @@ void Track::sample(double seconds, double* out) const {
             slerp(from, to, fraction, out);
         } else {
             for (std::size_t i = 0; i < width; ++i)
-                out[i] = static_cast<double>(from[i]) + (static_cast<double>(to[i]) - static_cast<double>(from[i])) * fraction;
+                out[i] = static_cast<double>(from[i]) +
+                         (static_cast<double>(to[i]) - static_cast<double>(from[i])) * fraction;
         }
     }
     if (path == TargetPath::Rotation) normaliseRotation(out);
@@ -148,7 +153,8 @@ Clip readClip(const Model& model, std::size_t index, KeyCache& cache, std::vecto
             continue;
         }
         const std::string what = fmt::format("animation {} (node {})", index, channel.node);
-        Track track = readTrack(model, animation.samplers[static_cast<std::size_t>(channel.sampler)], channel, cache, what);
+        Track track =
+            readTrack(model, animation.samplers[static_cast<std::size_t>(channel.sampler)], channel, cache, what);
         if (track.width == 0) {
             ++skipped;
             continue;
@@ -157,8 +163,9 @@ Clip readClip(const Model& model, std::size_t index, KeyCache& cache, std::vecto
         clip.tracks.push_back(std::move(track));
     }
     if (skipped > 0)
-        notes.push_back(fmt::format("{} channels of clip \"{}\" drive something that is not supported and are left out", skipped, clip.name));
+        notes.push_back(fmt::format("{} channels of clip \"{}\" drive something that is not supported and are left out",
+                                    skipped, clip.name));
     return clip;
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -16,7 +16,7 @@ struct Track {
     int node = -1;
     TargetPath path = TargetPath::Other;
     Interpolation interpolation = Interpolation::Linear;
-    std::size_t width = 0;        ///< numbers per value: 3, 4, or the number of morph weights
+    std::size_t width = 0;                             ///< numbers per value: 3, 4, or the number of morph weights
     std::shared_ptr<const std::vector<double>> times;  ///< seconds, strictly increasing, never empty
     std::shared_ptr<const std::vector<float>> values;  ///< width per key; a spline has in-tangent, value, out-tangent
 
@@ -45,4 +45,4 @@ struct KeyCache {
 /// Reads one animation and checks all of it. What cannot be played (targets of unknown kind) is left out with a note.
 Clip readClip(const Model& model, std::size_t animation, KeyCache& cache, std::vector<std::string>& notes);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -15,12 +15,12 @@ CameraPose lookAt(const glm::dvec3& eye, const glm::dvec3& target, const glm::dv
     if (!(glm::length(right) > 1e-9 * glm::length(up)) || !(glm::length(up) > 0.0)) {
         const glm::dvec3 size = glm::abs(back);
         const glm::dvec3 stand = size.y <= size.x && size.y <= size.z ? glm::dvec3(0.0, 1.0, 0.0)
-                                 : size.z <= size.x                  ? glm::dvec3(0.0, 0.0, 1.0)
-                                                                     : glm::dvec3(1.0, 0.0, 0.0);
+                                 : size.z <= size.x                   ? glm::dvec3(0.0, 0.0, 1.0)
+                                                                      : glm::dvec3(1.0, 0.0, 0.0);
         right = glm::cross(stand, back);
     }
     right = glm::normalize(right);
     return {eye, glm::dmat3(right, glm::cross(back, right), back), verticalFieldOfView, nearDistance};
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -23,4 +23,4 @@ double ClipClock::heldClose(double openSeconds, double closeSeconds) const {
     return openSeconds + left - 1e-9 * duration_;  // the end itself would wrap to the start
 }
 
-} // namespace timeshade
+}  // namespace timeshade

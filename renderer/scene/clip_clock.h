@@ -23,4 +23,4 @@ class ClipClock {
     bool loops_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

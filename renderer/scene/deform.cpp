@@ -24,7 +24,9 @@ struct NormalMatrix {
     glm::dvec3 x, y, z;
 };
 
-glm::dvec3 transformed(const glm::dmat4x3& m, const glm::dvec3& p) { return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3]; }
+glm::dvec3 transformed(const glm::dmat4x3& m, const glm::dvec3& p) {
+    return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
+}
 
 struct Vertex {
     glm::dvec3 position;
@@ -54,7 +56,8 @@ Vertex morphed(const Geometry& geometry, const std::vector<ActiveMorph>& morphs,
 }
 
 /// The weighted sum of a vertex's joints. Without any weight the vertex stays with its node.
-glm::dmat4x3 blended(const Geometry& geometry, std::span<const glm::dmat4x3> joints, const glm::dmat4x3& rigid, std::size_t v) {
+glm::dmat4x3 blended(const Geometry& geometry, std::span<const glm::dmat4x3> joints, const glm::dmat4x3& rigid,
+                     std::size_t v) {
     glm::dmat4x3 sum(0.0);
     double total = 0.0;
     for (const JointSet& set : geometry.jointSets) {
@@ -69,7 +72,7 @@ glm::dmat4x3 blended(const Geometry& geometry, std::span<const glm::dmat4x3> joi
     return total > 0.0 ? sum : rigid;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<glm::dmat4x3> jointMatrices(const SkinBinding& skin, const Pose& pose) {
     std::vector<glm::dmat4x3> matrices;
@@ -79,8 +82,8 @@ std::vector<glm::dmat4x3> jointMatrices(const SkinBinding& skin, const Pose& pos
     return matrices;
 }
 
-void deform(const Instance& instance, const Pose& pose, std::span<const glm::dmat4x3> joints, std::span<glm::dvec3> positions,
-            std::span<glm::vec3> normals) {
+void deform(const Instance& instance, const Pose& pose, std::span<const glm::dmat4x3> joints,
+            std::span<glm::dvec3> positions, std::span<glm::vec3> normals) {
     const Geometry& geometry = *instance.geometry;
     const auto node = static_cast<std::size_t>(instance.node);
     const std::vector<ActiveMorph> morphs = activeMorphs(geometry, pose.morphWeights[node]);
@@ -100,4 +103,4 @@ void deform(const Instance& instance, const Pose& pose, std::span<const glm::dma
     }
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -12,8 +12,8 @@ namespace timeshade::gltf {
 
 /// The joints that deform an instance.
 struct SkinBinding {
-    std::vector<int> joints;                    ///< nodes
-    std::vector<glm::dmat4> jointFromMesh;      ///< inverse bind matrices, one per joint
+    std::vector<int> joints;                ///< nodes
+    std::vector<glm::dmat4> jointFromMesh;  ///< inverse bind matrices, one per joint
 };
 
 /// One primitive of a mesh at one node, and its place in the scene's list of vertices.
@@ -34,4 +34,4 @@ std::vector<glm::dmat4x3> jointMatrices(const SkinBinding& skin, const Pose& pos
 void deform(const Instance& instance, const Pose& pose, std::span<const glm::dmat4x3> joints,
             std::span<glm::dvec3> positions, std::span<glm::vec3> normals);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

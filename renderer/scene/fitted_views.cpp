@@ -13,10 +13,11 @@ constexpr double pi = 3.14159265358979323846;
 double radiusOf(const Bounds& bounds) { return std::max(0.5 * bounds.diagonal(), 1e-9); }
 
 glm::dvec3 corner(const Bounds& bounds, int index) {
-    return {index & 1 ? bounds.high.x : bounds.low.x, index & 2 ? bounds.high.y : bounds.low.y, index & 4 ? bounds.high.z : bounds.low.z};
+    return {index & 1 ? bounds.high.x : bounds.low.x, index & 2 ? bounds.high.y : bounds.low.y,
+            index & 4 ? bounds.high.z : bounds.low.z};
 }
 
-} // namespace
+}  // namespace
 
 CameraPose fittedCamera(const Bounds& bounds) {
     constexpr double fieldOfView = 0.65;
@@ -54,4 +55,4 @@ LightPose fittedLight(const Bounds& bounds) {
     return light;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

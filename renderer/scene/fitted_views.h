@@ -13,4 +13,4 @@ CameraPose fittedCamera(const Bounds& bounds);
 /// that a white surface at the centre that faces it reflects a radiance of about 1.
 LightPose fittedLight(const Bounds& bounds);
 
-} // namespace timeshade
+}  // namespace timeshade

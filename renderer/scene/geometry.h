@@ -33,6 +33,7 @@ struct Geometry {
 
 /// Sums the normals of the triangles around each vertex, weighted by their area. Vertices that triangles do not
 /// share keep flat normals, as glTF asks for; those of no triangle get (0, 1, 0).
-std::vector<glm::vec3> generatedNormals(const std::vector<glm::vec3>& positions, const std::vector<glm::u32vec3>& triangles);
+std::vector<glm::vec3> generatedNormals(const std::vector<glm::vec3>& positions,
+                                        const std::vector<glm::u32vec3>& triangles);
 
-} // namespace timeshade
+}  // namespace timeshade

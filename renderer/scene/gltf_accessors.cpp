@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::gltf {
 
@@ -25,14 +25,15 @@ template <typename Stored, typename Number>
 Number decoded(Stored value, bool normalized) {
     if constexpr (std::is_integral_v<Stored> && std::is_floating_point_v<Number>) {
         if (normalized)  // the most negative signed value would be slightly below -1
-            return std::max(static_cast<Number>(value) / static_cast<Number>(std::numeric_limits<Stored>::max()), Number(-1));
+            return std::max(static_cast<Number>(value) / static_cast<Number>(std::numeric_limits<Stored>::max()),
+                            Number(-1));
     }
     return static_cast<Number>(value);
 }
 
 template <typename Stored, typename Number>
-void decodeElements(const std::uint8_t* from, std::size_t count, std::size_t stride, std::size_t components, bool normalized,
-                    Number* to) {
+void decodeElements(const std::uint8_t* from, std::size_t count, std::size_t stride, std::size_t components,
+                    bool normalized, Number* to) {
     for (std::size_t i = 0; i < count; ++i, from += stride)
         for (std::size_t c = 0; c < components; ++c)
             *to++ = decoded<Stored, Number>(load<Stored>(from + c * sizeof(Stored)), normalized);
@@ -45,10 +46,12 @@ void decodeAs(Component type, const std::uint8_t* from, std::size_t count, std::
     case Component::Byte: return decodeElements<std::int8_t>(from, count, stride, components, normalized, to);
     case Component::UnsignedByte: return decodeElements<std::uint8_t>(from, count, stride, components, normalized, to);
     case Component::Short: return decodeElements<std::int16_t>(from, count, stride, components, normalized, to);
-    case Component::UnsignedShort: return decodeElements<std::uint16_t>(from, count, stride, components, normalized, to);
+    case Component::UnsignedShort:
+        return decodeElements<std::uint16_t>(from, count, stride, components, normalized, to);
     case Component::UnsignedInt: return decodeElements<std::uint32_t>(from, count, stride, components, normalized, to);
     case Component::Float:
-        if constexpr (std::is_floating_point_v<Number>) decodeElements<float>(from, count, stride, components, false, to);
+        if constexpr (std::is_floating_point_v<Number>)
+            decodeElements<float>(from, count, stride, components, false, to);
         return;
     }
 }
@@ -81,23 +84,26 @@ std::vector<Number> readElements(const Model& model, const Accessor& accessor, c
 const Accessor& shaped(const Model& model, int index, int components, const std::string& what) {
     const Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
     if (accessor.components != components)
-        throw Error(fmt::format("{}: accessor {} has {} components, expected {}", what, index, accessor.components, components));
+        throw Error(fmt::format("{}: accessor {} has {} components, expected {}", what, index, accessor.components,
+                                components));
     return accessor;
 }
 
-} // namespace
+}  // namespace
 
 std::span<const std::uint8_t> bytesOf(const Model& model, int view) {
     const View& from = model.views[static_cast<std::size_t>(view)];
     return std::span(*model.buffers[static_cast<std::size_t>(from.buffer)]).subspan(from.offset, from.length);
 }
 
-std::vector<float> readFloats(const Model& model, int index, int components, Integers integers, const std::string& what) {
+std::vector<float> readFloats(const Model& model, int index, int components, Integers integers,
+                              const std::string& what) {
     const Accessor& accessor = shaped(model, index, components, what);
     const bool narrow = accessor.type != Component::Float && accessor.type != Component::UnsignedInt;
     const bool allowed = accessor.type == Component::Float || (narrow && integers == Integers::Quantized) ||
                          (narrow && integers == Integers::Normalized && accessor.normalized);
-    if (!allowed) throw Error(fmt::format("{}: accessor {} has a component type that is not allowed here", what, index));
+    if (!allowed)
+        throw Error(fmt::format("{}: accessor {} has a component type that is not allowed here", what, index));
 
     std::vector<float> values = readElements<float>(model, accessor, what);
     const auto bad = std::find_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); });
@@ -107,7 +113,8 @@ std::vector<float> readFloats(const Model& model, int index, int components, Int
     return values;
 }
 
-std::vector<std::uint32_t> readUnsigned(const Model& model, int index, int components, bool wide, const std::string& what) {
+std::vector<std::uint32_t> readUnsigned(const Model& model, int index, int components, bool wide,
+                                        const std::string& what) {
     const Accessor& accessor = shaped(model, index, components, what);
     const bool allowed = accessor.type == Component::UnsignedByte || accessor.type == Component::UnsignedShort ||
                          (wide && accessor.type == Component::UnsignedInt);
@@ -116,4 +123,4 @@ std::vector<std::uint32_t> readUnsigned(const Model& model, int index, int compo
     return readElements<std::uint32_t>(model, accessor, what);
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

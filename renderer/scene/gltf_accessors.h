@@ -18,12 +18,14 @@ enum class Integers {
 /// All elements of an accessor, `components` numbers each, sparse values applied. Error where the accessor has
 /// another shape or type, or holds a number that is not finite. `what` names the use in messages.
 /// `model` has been validated.
-std::vector<float> readFloats(const Model& model, int accessor, int components, Integers integers, const std::string& what);
+std::vector<float> readFloats(const Model& model, int accessor, int components, Integers integers,
+                              const std::string& what);
 
 /// Unsigned integers (vertex indices, joints) of 8, 16 or, where wide, 32 bits.
-std::vector<std::uint32_t> readUnsigned(const Model& model, int accessor, int components, bool wide, const std::string& what);
+std::vector<std::uint32_t> readUnsigned(const Model& model, int accessor, int components, bool wide,
+                                        const std::string& what);
 
 /// The bytes of a view.
 std::span<const std::uint8_t> bytesOf(const Model& model, int view);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

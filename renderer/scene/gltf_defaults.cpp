@@ -13,7 +13,8 @@ namespace {
 using Json = nlohmann::json;
 
 /// The number under the key if it lies in [low, high], else nothing: silently where absent, with a note where bad.
-std::optional<double> number(const Json& extras, const char* key, double low, double high, std::vector<std::string>& notes) {
+std::optional<double> number(const Json& extras, const char* key, double low, double high,
+                             std::vector<std::string>& notes) {
     const auto found = extras.find(key);
     if (found == extras.end()) return std::nullopt;
     const double value = found->is_number() ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
@@ -22,7 +23,7 @@ std::optional<double> number(const Json& extras, const char* key, double low, do
     return std::nullopt;
 }
 
-} // namespace
+}  // namespace
 
 SceneDefaults readDefaults(const Json& root, int scene, double duration, std::vector<std::string>& notes) {
     SceneDefaults defaults;
@@ -41,4 +42,4 @@ SceneDefaults readDefaults(const Json& root, int scene, double duration, std::ve
     return defaults;
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -14,4 +14,4 @@ namespace timeshade::gltf {
 /// into its clip, where something is likely to be happening. duration: seconds, 0 where nothing moves.
 SceneDefaults readDefaults(const nlohmann::json& root, int scene, double duration, std::vector<std::string>& notes);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "scene/error.h"
-#include "scene/one_line.h"
+#include "core/error.h"
+#include "core/one_line.h"
 
 namespace timeshade::gltf {
 
@@ -40,7 +40,8 @@ Chunks splitBinaryGltf(std::span<const std::uint8_t> bytes) {
     if (version != 2) throw Error(fmt::format("is a .glb of version {}, expected 2", version));
     const std::size_t length = littleEndian32(bytes, 8);
     if (length > bytes.size())
-        throw Error(fmt::format("is a truncated .glb: its header says {} bytes, the file has {}", length, bytes.size()));
+        throw Error(
+            fmt::format("is a truncated .glb: its header says {} bytes, the file has {}", length, bytes.size()));
     if (length < 20) throw Error(fmt::format("has a .glb header with a length of {} bytes", length));
 
     Chunks chunks;
@@ -71,8 +72,10 @@ void refuseDeepNesting(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (quoted) {
-            if (c == '\\') ++i;
-            else if (c == '"') quoted = false;
+            if (c == '\\')
+                ++i;
+            else if (c == '"')
+                quoted = false;
         } else if (c == '"') {
             quoted = true;
         } else if (c == '{' || c == '[') {
@@ -108,8 +111,8 @@ void refuseUnsupportedExtensions(const nlohmann::json& root) {
         if (!name.is_string()) throw Error("extensionsRequired holds something that is not a name");
         const auto text = name.get<std::string>();
         if (std::find(supportedExtensions.begin(), supportedExtensions.end(), text) == supportedExtensions.end())
-            throw Error(fmt::format("needs the glTF extension {}, which is not supported (supported: {})", oneLine(text),
-                                    fmt::join(supportedExtensions, ", ")));
+            throw Error(fmt::format("needs the glTF extension {}, which is not supported (supported: {})",
+                                    oneLine(text), fmt::join(supportedExtensions, ", ")));
     }
 }
 
@@ -119,11 +122,10 @@ void refuseOtherVersions(const nlohmann::json& root) {
     const auto version = asset->find("version");
     if (version == asset->end() || !version->is_string()) throw Error("is not glTF: \"asset\" has no version");
     const auto text = version->get<std::string>();
-    if (!text.starts_with("2."))
-        throw Error(fmt::format("is glTF of version \"{}\", expected 2.0", oneLine(text, 20)));
+    if (!text.starts_with("2.")) throw Error(fmt::format("is glTF of version \"{}\", expected 2.0", oneLine(text, 20)));
 }
 
-} // namespace
+}  // namespace
 
 Document parseDocument(Bytes bytes) {
     Document document;
@@ -135,7 +137,8 @@ Document parseDocument(Bytes bytes) {
     refuseUnsupportedExtensions(document.json);
     refuseOtherVersions(document.json);
     checkStructure(document.json);
-    if (chunks.hasBinary) document.binaryChunk = std::make_shared<const Bytes>(chunks.binary.begin(), chunks.binary.end());
+    if (chunks.hasBinary)
+        document.binaryChunk = std::make_shared<const Bytes>(chunks.binary.begin(), chunks.binary.end());
     return document;
 }
 
@@ -143,4 +146,4 @@ Document readDocument(const std::filesystem::path& path, std::size_t limit) {
     return parseDocument(readRegularFile(path, limit));
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -10,7 +10,7 @@ namespace timeshade::gltf {
 
 /// A .gltf or .glb file taken apart, before anything in it is believed.
 struct Document {
-    nlohmann::json json;  ///< an object
+    nlohmann::json json;                       ///< an object
     std::shared_ptr<const Bytes> binaryChunk;  ///< the BIN chunk of a .glb, null where there is none
 };
 
@@ -25,4 +25,4 @@ Document parseDocument(Bytes bytes);
 /// sections that are no lists of objects. Whole numbers written as 3.0 become 3.
 void checkStructure(nlohmann::json& root);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

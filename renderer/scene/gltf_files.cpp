@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
-#include "scene/one_line.h"
+#include "core/error.h"
+#include "core/one_line.h"
 
 namespace timeshade::gltf {
 
@@ -73,7 +73,7 @@ bool inside(const fs::path& folder, const fs::path& file) {
     return rest == folder.end();
 }
 
-} // namespace
+}  // namespace
 
 Bytes readRegularFile(const fs::path& path, std::size_t limit) {
     std::error_code failure;
@@ -130,4 +130,4 @@ std::shared_ptr<const Bytes> FilesBeside::read(const std::string& uri) {
     }
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -32,4 +32,4 @@ class FilesBeside {
     std::map<std::filesystem::path, std::shared_ptr<const Bytes>> known_;
 };
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "scene/gltf_accessors.h"
 
 namespace timeshade::gltf {
@@ -21,7 +21,9 @@ enum Mode { TriangleList = 4, TriangleStrip = 5, TriangleFan = 6 };
 
 bool drawable(const Primitive& primitive) { return primitive.mode >= TriangleList && primitive.position >= 0; }
 
-std::uint64_t countOf(const Model& model, int accessor) { return model.accessors[static_cast<std::size_t>(accessor)].count; }
+std::uint64_t countOf(const Model& model, int accessor) {
+    return model.accessors[static_cast<std::size_t>(accessor)].count;
+}
 
 template <typename Vector>
 std::vector<Vector> grouped(const std::vector<float>& values) {
@@ -36,11 +38,13 @@ std::vector<Vector> readAttribute(const Model& model, int accessor, Integers int
                                   const std::string& what) {
     if (accessor < 0) return {};
     if (countOf(model, accessor) != vertexCount)
-        throw Error(fmt::format("{}: accessor {} has {} elements for {} vertices", what, accessor, countOf(model, accessor), vertexCount));
+        throw Error(fmt::format("{}: accessor {} has {} elements for {} vertices", what, accessor,
+                                countOf(model, accessor), vertexCount));
     return grouped<Vector>(readFloats(model, accessor, static_cast<int>(Vector::length()), integers, what));
 }
 
-std::vector<glm::vec3> readPositions(const Model& model, int accessor, std::size_t vertexCount, const std::string& what) {
+std::vector<glm::vec3> readPositions(const Model& model, int accessor, std::size_t vertexCount,
+                                     const std::string& what) {
     auto positions = readAttribute<glm::vec3>(model, accessor, Integers::Quantized, vertexCount, what);
     for (const glm::vec3& p : positions)
         if (std::abs(p.x) > farthest || std::abs(p.y) > farthest || std::abs(p.z) > farthest)
@@ -59,7 +63,8 @@ std::vector<glm::u32vec3> assemble(const std::vector<std::uint32_t>& corners, in
         for (std::size_t i = 0; i + 2 < count; i += 3) add(corners[i], corners[i + 1], corners[i + 2]);
     if (mode == TriangleStrip)
         for (std::size_t i = 0; i + 2 < count; ++i)
-            i % 2 == 0 ? add(corners[i], corners[i + 1], corners[i + 2]) : add(corners[i + 1], corners[i], corners[i + 2]);
+            i % 2 == 0 ? add(corners[i], corners[i + 1], corners[i + 2])
+                       : add(corners[i + 1], corners[i], corners[i + 2]);
     if (mode == TriangleFan)
         for (std::size_t i = 0; i + 2 < count; ++i) add(corners[0], corners[i + 1], corners[i + 2]);
     return triangles;
@@ -81,9 +86,11 @@ std::vector<glm::u32vec3> readTriangles(const Model& model, const Primitive& pri
 }
 
 /// Broken or zero-length normals are replaced one by one: shading suffers, shadows do not.
-std::vector<glm::vec3> readNormals(const Model& model, const Primitive& primitive, const Geometry& geometry, const std::string& what) {
+std::vector<glm::vec3> readNormals(const Model& model, const Primitive& primitive, const Geometry& geometry,
+                                   const std::string& what) {
     std::vector<glm::vec3> generated;
-    auto normals = readAttribute<glm::vec3>(model, primitive.normal, Integers::Normalized, geometry.positions.size(), what + " NORMAL");
+    auto normals = readAttribute<glm::vec3>(model, primitive.normal, Integers::Normalized, geometry.positions.size(),
+                                            what + " NORMAL");
     if (normals.empty()) return generatedNormals(geometry.positions, geometry.triangles);
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const double length = glm::length(glm::dvec3(normals[i]));
@@ -109,11 +116,12 @@ void normaliseWeights(std::vector<JointSet>& sets, std::size_t vertexCount) {
     }
 }
 
-std::vector<JointSet> readJointSets(const Model& model, const Primitive& primitive, std::size_t vertexCount, std::size_t jointCount,
-                                    const std::string& what) {
+std::vector<JointSet> readJointSets(const Model& model, const Primitive& primitive, std::size_t vertexCount,
+                                    std::size_t jointCount, const std::string& what) {
     std::vector<JointSet> sets(primitive.joints.size());
     for (std::size_t s = 0; s < sets.size(); ++s) {
-        sets[s].weights = readAttribute<glm::vec4>(model, primitive.weights[s], Integers::Normalized, vertexCount, what + " WEIGHTS");
+        sets[s].weights =
+            readAttribute<glm::vec4>(model, primitive.weights[s], Integers::Normalized, vertexCount, what + " WEIGHTS");
         const auto joints = readUnsigned(model, primitive.joints[s], 4, false, what + " JOINTS");
         if (joints.size() != vertexCount * 4)
             throw Error(fmt::format("{} JOINTS has {} elements for {} vertices", what, joints.size() / 4, vertexCount));
@@ -123,7 +131,8 @@ std::vector<JointSet> readJointSets(const Model& model, const Primitive& primiti
             // A joint without weight is often left uninitialised by exporters; only one that counts must exist.
             const bool counts = sets[s].weights[i / 4][lane] > 0.0f;
             if (counts && joints[i] >= jointCount)
-                throw Error(fmt::format("{}: vertex {} follows joint {}, its skin has {}", what, i / 4, joints[i], jointCount));
+                throw Error(
+                    fmt::format("{}: vertex {} follows joint {}, its skin has {}", what, i / 4, joints[i], jointCount));
             sets[s].joints[i / 4][lane] = static_cast<std::uint16_t>(counts ? joints[i] : 0u);
         }
     }
@@ -137,15 +146,16 @@ Geometry readGeometry(const Model& model, const Primitive& primitive, std::size_
     geometry.positions = readPositions(model, primitive.position, vertexCount, what + " POSITION");
     geometry.triangles = readTriangles(model, primitive, vertexCount, what);
     geometry.normals = readNormals(model, primitive, geometry, what);
-    geometry.textureCoordinates =
-        readAttribute<glm::vec2>(model, primitive.textureCoordinates, Integers::Quantized, vertexCount, what + " TEXCOORD_0");
+    geometry.textureCoordinates = readAttribute<glm::vec2>(model, primitive.textureCoordinates, Integers::Quantized,
+                                                           vertexCount, what + " TEXCOORD_0");
     geometry.textureCoordinates.resize(vertexCount, glm::vec2(0.0f));
     if (jointCount > 0) geometry.jointSets = readJointSets(model, primitive, vertexCount, jointCount, what);
     for (const MorphTarget& target : primitive.targets) {
         MorphDeltas deltas;
         deltas.positions = readPositions(model, target.position, vertexCount, what + " morph POSITION");
         if (primitive.normal >= 0)
-            deltas.normals = readAttribute<glm::vec3>(model, target.normal, Integers::Normalized, vertexCount, what + " morph NORMAL");
+            deltas.normals = readAttribute<glm::vec3>(model, target.normal, Integers::Normalized, vertexCount,
+                                                      what + " morph NORMAL");
         geometry.morphs.push_back(std::move(deltas));
     }
     geometry.material = primitive.material;
@@ -163,11 +173,12 @@ void spendOnPrimitive(const Model& model, const Primitive& primitive, Budget& bu
     const std::uint64_t corners = primitive.indices >= 0 ? countOf(model, primitive.indices) : vertices;
     spend(budget.vertices, vertices, budget, "vertices");
     // Targets are stored once per mesh, their weights once per node; counted per node this bounds both.
-    for (std::size_t target = 0; target < primitive.targets.size(); ++target) spend(budget.morphs, vertices, budget, "vertices of morph targets");
+    for (std::size_t target = 0; target < primitive.targets.size(); ++target)
+        spend(budget.morphs, vertices, budget, "vertices of morph targets");
     spend(budget.triangles, primitive.mode == TriangleList ? corners / 3 : corners, budget, "triangles");
 }
 
-} // namespace
+}  // namespace
 
 std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes) {
     std::vector<std::size_t> uses(model.meshes.size(), 0);
@@ -189,12 +200,16 @@ std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget bud
     for (std::size_t m = 0; m < model.meshes.size(); ++m) {
         for (std::size_t p = 0; uses[m] > 0 && p < model.meshes[m].primitives.size(); ++p) {
             const Primitive& primitive = model.meshes[m].primitives[p];
-            if (!drawable(primitive)) ++skipped;
-            else geometries[m].push_back(readGeometry(model, primitive, jointCounts[m], fmt::format("mesh {} primitive {}", m, p)));
+            if (!drawable(primitive))
+                ++skipped;
+            else
+                geometries[m].push_back(
+                    readGeometry(model, primitive, jointCounts[m], fmt::format("mesh {} primitive {}", m, p)));
         }
     }
-    if (skipped > 0) notes.push_back(fmt::format("{} primitives of points, lines or without positions are left out", skipped));
+    if (skipped > 0)
+        notes.push_back(fmt::format("{} primitives of points, lines or without positions are left out", skipped));
     return geometries;
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -19,4 +19,4 @@ struct Budget {
 /// Error on broken data, and before anything large is allocated when the budget does not last.
 std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <stb_image.h>
 
-#include "scene/error.h"
+#include "core/error.h"
+#include "core/one_line.h"
 #include "scene/gltf_accessors.h"
-#include "scene/one_line.h"
 
 namespace timeshade::gltf {
 
@@ -28,18 +28,21 @@ bool startsWith(std::span<const std::uint8_t> bytes, std::initializer_list<int> 
 
 /// PNG and JPEG, which are what glTF knows; the decoder's many other formats are not offered to strangers.
 Image decode(std::span<const std::uint8_t> bytes, std::size_t& budget) {
-    if (!startsWith(bytes, {0x89, 'P', 'N', 'G'}) && !startsWith(bytes, {0xff, 0xd8, 0xff})) throw Error("neither PNG nor JPEG");
+    if (!startsWith(bytes, {0x89, 'P', 'N', 'G'}) && !startsWith(bytes, {0xff, 0xd8, 0xff}))
+        throw Error("neither PNG nor JPEG");
     if (bytes.size() > (std::size_t{1} << 30)) throw Error("too large");
     const auto length = static_cast<int>(bytes.size());
     int width = 0;
     int height = 0;
     int channels = 0;
-    if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0) throw Error("its header is damaged");
+    if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0)
+        throw Error("its header is damaged");
     if (width < 1 || height < 1 || width > largestSide || height > largestSide)
         throw Error(fmt::format("{}x{} pixels, the limit is {} a side", width, height, largestSide));
     const std::size_t size = std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     // Neither format packs better than about a thousand to one, so a larger claim is no image.
-    if (size / 2048 > bytes.size()) throw Error(fmt::format("{} bytes cannot hold {}x{} pixels", bytes.size(), width, height));
+    if (size / 2048 > bytes.size())
+        throw Error(fmt::format("{} bytes cannot hold {}x{} pixels", bytes.size(), width, height));
     if (size > budget) throw Error("the limit on bytes of images is used up");
 
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
@@ -78,7 +81,8 @@ class ImageShelf {
         try {
             std::shared_ptr<const Bytes> file;
             if (source.view < 0) file = files_.read(source.uri);
-            Image image = decode(source.view < 0 ? std::span<const std::uint8_t>(*file) : bytesOf(model_, source.view), budget_);
+            Image image =
+                decode(source.view < 0 ? std::span<const std::uint8_t>(*file) : bytesOf(model_, source.view), budget_);
             image.name = source.name;
             images.push_back(std::move(image));
             return static_cast<int>(images.size()) - 1;
@@ -96,7 +100,7 @@ class ImageShelf {
     int noSource_ = 0;
 };
 
-} // namespace
+}  // namespace
 
 Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes) {
     ImageShelf shelf(model, files, notes);
@@ -113,9 +117,10 @@ Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>
     looks.materials.emplace_back().name = "default";
     looks.images = std::move(shelf.images);
     if (otherCoordinates > 0)
-        notes.push_back(fmt::format("{} materials use other texture coordinates than TEXCOORD_0 as it is; they get those", otherCoordinates));
+        notes.push_back(fmt::format(
+            "{} materials use other texture coordinates than TEXCOORD_0 as it is; they get those", otherCoordinates));
     if (transparent > 0) notes.push_back(fmt::format("{} transparent materials are drawn opaque", transparent));
     return looks;
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -16,4 +16,4 @@ struct Looks {
 /// Materials with their images decoded. An image that cannot be had costs the texture, and a note, no more.
 Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "scene/gltf_accessors.h"
 
 namespace timeshade::gltf {
@@ -18,10 +18,13 @@ std::vector<SkinBinding> readSkins(const Model& model) {
         SkinBinding binding{skin.joints, std::vector<glm::dmat4>(skin.joints.size(), glm::dmat4(1.0))};
         if (skin.inverseBindMatrices >= 0) {
             const std::string what = fmt::format("skin {} inverse bind matrices", skins.size());
-            const std::vector<float> numbers = readFloats(model, skin.inverseBindMatrices, 16, Integers::Forbidden, what);
-            for (std::size_t j = 0; j < skin.joints.size(); ++j) binding.jointFromMesh[j] = glm::dmat4(glm::make_mat4(&numbers[16 * j]));
+            const std::vector<float> numbers =
+                readFloats(model, skin.inverseBindMatrices, 16, Integers::Forbidden, what);
+            for (std::size_t j = 0; j < skin.joints.size(); ++j)
+                binding.jointFromMesh[j] = glm::dmat4(glm::make_mat4(&numbers[16 * j]));
             for (const float number : numbers)
-                if (!(number >= -1e18f && number <= 1e18f)) throw Error(fmt::format("{} hold the number {}", what, number));
+                if (!(number >= -1e18f && number <= 1e18f))
+                    throw Error(fmt::format("{} hold the number {}", what, number));
         }
         skins.push_back(std::move(binding));
     }
@@ -41,7 +44,8 @@ std::vector<SkinFacts> factsOf(const std::vector<SkinBinding>& skins, const Node
         int balance = 0;
         for (const glm::dmat4x3& joint : jointMatrices(skin, motion.rest()))
             balance += glm::dot(joint[0], glm::cross(joint[1], joint[2])) < 0.0 ? 1 : -1;
-        const bool moves = std::any_of(skin.joints.begin(), skin.joints.end(), [&](int joint) { return motion.moves(joint); });
+        const bool moves =
+            std::any_of(skin.joints.begin(), skin.joints.end(), [&](int joint) { return motion.moves(joint); });
         facts.push_back({balance > 0, moves, false});
     }
     return facts;
@@ -51,11 +55,12 @@ bool mirrors(const NodeMotion& motion, int node) {
     return glm::determinant(glm::dmat3(motion.rest().worldFromNode[static_cast<std::size_t>(node)])) < 0.0;
 }
 
-void appendTopology(MeshTopology& topology, std::vector<char>& used, const Instance& instance, bool flip, std::uint32_t material,
-                    std::uint32_t number) {
+void appendTopology(MeshTopology& topology, std::vector<char>& used, const Instance& instance, bool flip,
+                    std::uint32_t material, std::uint32_t number) {
     const Geometry& geometry = *instance.geometry;
     const auto first = static_cast<std::uint32_t>(instance.firstVertex);
-    topology.textureCoordinates.insert(topology.textureCoordinates.end(), geometry.textureCoordinates.begin(), geometry.textureCoordinates.end());
+    topology.textureCoordinates.insert(topology.textureCoordinates.end(), geometry.textureCoordinates.begin(),
+                                       geometry.textureCoordinates.end());
     used.resize(used.size() + geometry.positions.size(), 0);
     for (const glm::u32vec3& triangle : geometry.triangles) {
         const glm::u32vec3 placed = (flip ? glm::u32vec3(triangle.x, triangle.z, triangle.y) : triangle) + first;
@@ -79,7 +84,7 @@ std::vector<int> turningNodes(const Stage& stage, const std::vector<SkinFacts>& 
     return nodes;
 }
 
-} // namespace
+}  // namespace
 
 Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::vector<Geometry>> geometries,
                  std::uint32_t defaultMaterial, std::vector<std::string>& notes) {
@@ -96,13 +101,15 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
         bool anyFlipped = false;
         for (const Geometry& geometry : stage.geometries[static_cast<std::size_t>(node.mesh)]) {
             const int index = static_cast<int>(n);
-            Instance instance{&geometry, index, geometry.jointSets.empty() ? -1 : node.skin, topology->vertexCount, false};
+            Instance instance{&geometry, index, geometry.jointSets.empty() ? -1 : node.skin, topology->vertexCount,
+                              false};
             SkinFacts* skin = instance.skin < 0 ? nullptr : &facts[static_cast<std::size_t>(instance.skin)];
             if (skin != nullptr) skin->used = true;
             instance.moves = motion.morphs(index) || motion.moves(index) || (skin != nullptr && skin->moves);
             const bool flip = skin != nullptr ? skin->mirrored : mirrors(motion, index);
             anyFlipped = anyFlipped || flip;
-            const std::uint32_t material = geometry.material < 0 ? defaultMaterial : static_cast<std::uint32_t>(geometry.material);
+            const std::uint32_t material =
+                geometry.material < 0 ? defaultMaterial : static_cast<std::uint32_t>(geometry.material);
             appendTopology(*topology, stage.used, instance, flip, material, number);
             stage.instances.push_back(instance);
         }
@@ -117,4 +124,4 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
     return stage;
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

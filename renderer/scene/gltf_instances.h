@@ -23,4 +23,4 @@ struct Stage {
 Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::vector<Geometry>> geometries,
                  std::uint32_t defaultMaterial, std::vector<std::string>& notes);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -13,8 +13,8 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
-#include "scene/error.h"
-#include "scene/one_line.h"
+#include "core/error.h"
+#include "core/one_line.h"
 
 namespace timeshade::gltf {
 
@@ -44,7 +44,12 @@ tinygltf::Model parseStructure(const Document& document) {
 
 Component component(int value, const std::string& where) {
     switch (value) {
-    case 5120: case 5121: case 5122: case 5123: case 5125: case 5126: return static_cast<Component>(value);
+    case 5120:
+    case 5121:
+    case 5122:
+    case 5123:
+    case 5125:
+    case 5126: return static_cast<Component>(value);
     default: throw Error(fmt::format("{} has component type {}, which glTF does not know", where, value));
     }
 }
@@ -54,7 +59,8 @@ int components(int type, const std::string& where) {
     case TINYGLTF_TYPE_SCALAR: return 1;
     case TINYGLTF_TYPE_VEC2: return 2;
     case TINYGLTF_TYPE_VEC3: return 3;
-    case TINYGLTF_TYPE_VEC4: case TINYGLTF_TYPE_MAT2: return 4;
+    case TINYGLTF_TYPE_VEC4:
+    case TINYGLTF_TYPE_MAT2: return 4;
     case TINYGLTF_TYPE_MAT3: return 9;
     case TINYGLTF_TYPE_MAT4: return 16;
     default: throw Error(fmt::format("{} has a type that glTF does not know", where));
@@ -65,13 +71,20 @@ std::uint64_t unsignedOf(int value) { return value < 0 ? ~std::uint64_t{0} : sta
 
 Accessor convert(const tinygltf::Accessor& from, std::size_t index) {
     const std::string where = fmt::format("accessor {}", index);
-    Accessor to{from.bufferView, from.byteOffset, from.count, components(from.type, where),
-                component(from.componentType, where), from.normalized, {}};
+    Accessor to{from.bufferView,
+                from.byteOffset,
+                from.count,
+                components(from.type, where),
+                component(from.componentType, where),
+                from.normalized,
+                {}};
     if (from.sparse.isSparse)
-        to.sparse = SparseValues{unsignedOf(from.sparse.count), from.sparse.indices.bufferView,
+        to.sparse = SparseValues{unsignedOf(from.sparse.count),
+                                 from.sparse.indices.bufferView,
                                  unsignedOf(from.sparse.indices.byteOffset),
                                  component(from.sparse.indices.componentType, where + " (sparse)"),
-                                 from.sparse.values.bufferView, unsignedOf(from.sparse.values.byteOffset)};
+                                 from.sparse.values.bufferView,
+                                 unsignedOf(from.sparse.values.byteOffset)};
     return to;
 }
 
@@ -169,13 +182,14 @@ MaterialSource convert(const tinygltf::Material& from, std::size_t index) {
     to.baseColorTexture = pbr.baseColorTexture.index;
     to.metallicRoughnessTexture = pbr.metallicRoughnessTexture.index;
     for (const auto* texture : {&pbr.baseColorTexture, &pbr.metallicRoughnessTexture})
-        to.otherCoordinates = to.otherCoordinates || (texture->index >= 0 && (texture->texCoord != 0 ||
-                                                      texture->extensions.contains("KHR_texture_transform")));
+        to.otherCoordinates =
+            to.otherCoordinates ||
+            (texture->index >= 0 && (texture->texCoord != 0 || texture->extensions.contains("KHR_texture_transform")));
     return to;
 }
 
 Light convert(const tinygltf::Light& from) {
-    Light to{oneLine(from.name), from.type, glm::dvec3(1.0), from.intensity, from.spot.innerConeAngle,
+    Light to{oneLine(from.name),      from.type, glm::dvec3(1.0), from.intensity, from.spot.innerConeAngle,
              from.spot.outerConeAngle};
     if (from.color.size() == 3) to.colour = glm::make_vec3(from.color.data());
     return to;
@@ -199,13 +213,16 @@ std::vector<ImageSource> imageSources(const nlohmann::json& root) {
     return images;
 }
 
-} // namespace
+}  // namespace
 
 std::size_t byteSize(Component value) {
     switch (value) {
-    case Component::Byte: case Component::UnsignedByte: return 1;
-    case Component::Short: case Component::UnsignedShort: return 2;
-    case Component::UnsignedInt: case Component::Float: return 4;
+    case Component::Byte:
+    case Component::UnsignedByte: return 1;
+    case Component::Short:
+    case Component::UnsignedShort: return 2;
+    case Component::UnsignedInt:
+    case Component::Float: return 4;
     }
     return 4;
 }
@@ -219,7 +236,8 @@ glm::dmat4 LocalTransform::matrix() const {
 Model readModel(const Document& document) {
     const tinygltf::Model from = parseStructure(document);
     Model to;
-    for (const auto& view : from.bufferViews) to.views.push_back({view.buffer, view.byteOffset, view.byteLength, view.byteStride});
+    for (const auto& view : from.bufferViews)
+        to.views.push_back({view.buffer, view.byteOffset, view.byteLength, view.byteStride});
     for (const auto& accessor : from.accessors) to.accessors.push_back(convert(accessor, to.accessors.size()));
     for (const auto& mesh : from.meshes) to.meshes.push_back(convert(mesh));
     for (const auto& node : from.nodes) to.nodes.push_back(convert(node));
@@ -228,8 +246,8 @@ Model readModel(const Document& document) {
     for (const auto& material : from.materials) to.materials.push_back(convert(material, to.materials.size()));
     for (const auto& texture : from.textures) to.textureImages.push_back(texture.source);
     for (const auto& camera : from.cameras)
-        to.cameras.push_back({oneLine(camera.name), camera.type == "perspective", camera.perspective.yfov,
-                              camera.perspective.znear});
+        to.cameras.push_back(
+            {oneLine(camera.name), camera.type == "perspective", camera.perspective.yfov, camera.perspective.znear});
     for (const auto& light : from.lights) to.lights.push_back(convert(light));
     for (const auto& scene : from.scenes) to.scenes.push_back(scene.nodes);
     to.scene = from.defaultScene >= 0 || from.scenes.empty() ? from.defaultScene : 0;
@@ -245,7 +263,8 @@ void loadBuffers(Model& model, const Document& document, FilesBeside& files) {
         const auto length = buffer.find("byteLength");
         if (length == buffer.end()) throw Error(fmt::format("buffer {} has no byteLength", index));
         const auto uri = buffer.find("uri");
-        if (uri != buffer.end() && !uri->is_string()) throw Error(fmt::format("buffer {} has a URI that is no text", index));
+        if (uri != buffer.end() && !uri->is_string())
+            throw Error(fmt::format("buffer {} has a URI that is no text", index));
         if (uri == buffer.end() && !(index == 0 && document.binaryChunk))
             throw Error(fmt::format("buffer {} has neither a URI nor a binary chunk", index));
 
@@ -257,9 +276,10 @@ void loadBuffers(Model& model, const Document& document, FilesBeside& files) {
         }
         model.bufferLengths.push_back(length->get<std::uint64_t>());
         if (model.bufferLengths.back() > bytes->size())
-            throw Error(fmt::format("buffer {} needs {} bytes, there are {}", index, model.bufferLengths.back(), bytes->size()));
+            throw Error(fmt::format("buffer {} needs {} bytes, there are {}", index, model.bufferLengths.back(),
+                                    bytes->size()));
         model.buffers.push_back(std::move(bytes));
     }
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

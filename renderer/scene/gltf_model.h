@@ -15,7 +15,14 @@
 namespace timeshade::gltf {
 
 /// The values are glTF's own.
-enum class Component { Byte = 5120, UnsignedByte = 5121, Short = 5122, UnsignedShort = 5123, UnsignedInt = 5125, Float = 5126 };
+enum class Component {
+    Byte = 5120,
+    UnsignedByte = 5121,
+    Short = 5122,
+    UnsignedShort = 5123,
+    UnsignedInt = 5125,
+    Float = 5126
+};
 
 std::size_t byteSize(Component component);
 
@@ -55,7 +62,7 @@ struct Primitive {
     int position = -1;
     int normal = -1;
     int textureCoordinates = -1;
-    std::vector<int> joints;   ///< JOINTS_0 and JOINTS_1, as many as there are, both lists of one length
+    std::vector<int> joints;  ///< JOINTS_0 and JOINTS_1, as many as there are, both lists of one length
     std::vector<int> weights;
     std::vector<MorphTarget> targets;
     int indices = -1;
@@ -178,4 +185,4 @@ void loadBuffers(Model& model, const Document& document, FilesBeside& files);
 /// Throws Error at the first thing that would mislead a later step. Fills parent, inScene and parentsFirst.
 void validate(Model& model);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -9,15 +9,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/error.h"
+#include "core/one_line.h"
 #include "scene/clip_clock.h"
-#include "scene/error.h"
 #include "scene/gltf_defaults.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_geometry.h"
 #include "scene/gltf_images.h"
 #include "scene/gltf_instances.h"
 #include "scene/gltf_views.h"
-#include "scene/one_line.h"
 
 namespace timeshade {
 
@@ -51,18 +51,26 @@ struct ClipNames {
 
 class GltfScene final : public Scene {
   public:
-    GltfScene(std::string name, const Model& model, ClipNames clips, NodeMotion motion, Stage stage, Looks looks, std::vector<std::string> notes)
-        : name_(std::move(name)), clips_(std::move(clips)), motion_(std::move(motion)), stage_(std::move(stage)), looks_(std::move(looks)),
-          notes_(std::move(notes)), clock_(0.0, true) {
+    GltfScene(std::string name, const Model& model, ClipNames clips, NodeMotion motion, Stage stage, Looks looks,
+              std::vector<std::string> notes)
+        : name_(std::move(name)),
+          clips_(std::move(clips)),
+          motion_(std::move(motion)),
+          stage_(std::move(stage)),
+          looks_(std::move(looks)),
+          notes_(std::move(notes)),
+          clock_(0.0, true) {
         positions_.resize(stage_.topology->vertexCount);
         normals_.resize(stage_.topology->vertexCount);
         deformInstances(stage_, motion_.rest(), false, positions_, normals_);
-        moves_ = std::any_of(stage_.instances.begin(), stage_.instances.end(), [](const Instance& i) { return i.moves; });
+        moves_ =
+            std::any_of(stage_.instances.begin(), stage_.instances.end(), [](const Instance& i) { return i.moves; });
         measure();
         views_ = readViews(model, bounds_, notes_);
         const auto moving = [&](int node) { return node >= 0 && motion_.moves(node); };
-        const bool viewsMove = moving(views_.light.node) || std::any_of(views_.cameras.begin(), views_.cameras.end(),
-                                                                        [&](const PlacedCamera& c) { return moving(c.node); });
+        const bool viewsMove =
+            moving(views_.light.node) || std::any_of(views_.cameras.begin(), views_.cameras.end(),
+                                                     [&](const PlacedCamera& c) { return moving(c.node); });
         duration_ = moves_ || viewsMove ? motion_.clip().duration : 0.0;
         clock_ = ClipClock(duration_, loops());
     }
@@ -90,7 +98,8 @@ class GltfScene final : public Scene {
 
     CameraPose camera(std::size_t index, double seconds) const override {
         const PlacedCamera& camera = views_.cameras.at(index);
-        return camera.node < 0 ? camera.pose : placedCamera(camera, motion_.worldFromNode(camera.node, clock_.wrapped(seconds)));
+        return camera.node < 0 ? camera.pose
+                               : placedCamera(camera, motion_.worldFromNode(camera.node, clock_.wrapped(seconds)));
     }
     LightPose light(double seconds) const override {
         const PlacedLight& light = views_.light;
@@ -119,7 +128,7 @@ class GltfScene final : public Scene {
     SceneDefaults defaults_;
     Bounds bounds_;
     double duration_ = 0.0;
-    bool moves_ = false;  ///< some triangle does
+    bool moves_ = false;                 ///< some triangle does
     std::vector<glm::dvec3> positions_;  ///< of instances that never move; the others' entries are scratch
     std::vector<glm::vec3> normals_;
 };
@@ -137,7 +146,8 @@ LightPose GltfScene::placedLight(const glm::dmat4& worldFromNode) const {
     pose.axes = rotationOf(worldFromNode);
     if (views_.light.aimed) {
         glm::dvec3 target = bounds_.centre();
-        if (glm::length(target - pose.position) < 1e-6 * bounds_.diagonal()) target.y -= bounds_.diagonal();  // from within: down
+        if (glm::length(target - pose.position) < 1e-6 * bounds_.diagonal())
+            target.y -= bounds_.diagonal();  // from within: down
         pose.axes = lookAt(pose.position, target, glm::dvec3(0.0, 1.0, 0.0), 1.0, 1.0).axes;
     }
     return pose;
@@ -166,9 +176,11 @@ void GltfScene::measure() {
 constexpr double seamTolerance = 1e-4;
 
 bool GltfScene::viewsLoop(const Pose& start, const Pose& end) const {
-    const auto same = [&](const glm::dvec3& eye, const glm::dmat3& axes, const glm::dvec3& otherEye, const glm::dmat3& otherAxes) {
+    const auto same = [&](const glm::dvec3& eye, const glm::dmat3& axes, const glm::dvec3& otherEye,
+                          const glm::dmat3& otherAxes) {
         double difference = glm::length(eye - otherEye) / bounds_.diagonal();
-        for (int axis = 0; axis < 3; ++axis) difference = std::max(difference, glm::length(axes[axis] - otherAxes[axis]));
+        for (int axis = 0; axis < 3; ++axis)
+            difference = std::max(difference, glm::length(axes[axis] - otherAxes[axis]));
         return difference <= seamTolerance;
     };
     for (const PlacedCamera& camera : views_.cameras) {
@@ -203,12 +215,15 @@ bool GltfScene::loops() const {
 MotionMesh GltfScene::motionMesh(double openSeconds, double closeSeconds) const {
     MotionMesh mesh{stage_.topology, positions_, positions_, normals_, normals_, 0.0};
     if (!moves_) return mesh;
-    deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 0.0)), true, mesh.positionsOpen, mesh.normalsOpen);
-    deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 1.0)), true, mesh.positionsClose, mesh.normalsClose);
+    deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 0.0)), true, mesh.positionsOpen,
+                    mesh.normalsOpen);
+    deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 1.0)), true, mesh.positionsClose,
+                    mesh.normalsClose);
     // In steps, because two ends alone cannot tell a whole turn from none.
     constexpr int steps = 4;
     std::vector<double> path;
-    for (int step = 0; step <= steps; ++step) path.push_back(clock_.during(openSeconds, closeSeconds, static_cast<double>(step) / steps));
+    for (int step = 0; step <= steps; ++step)
+        path.push_back(clock_.during(openSeconds, closeSeconds, static_cast<double>(step) / steps));
     mesh.largestTurnDegrees = motion_.largestTurnDegrees(stage_.turningNodes, path);
     return mesh;
 }
@@ -220,7 +235,8 @@ std::vector<std::string> unlikeNames(const std::vector<Clip>& clips) {
     std::vector<std::string> names;
     for (const Clip& clip : clips) {
         std::string name = clip.name;
-        while (!taken.insert(name).second) name = fmt::format("{} ({})", clip.name, ++times.try_emplace(clip.name, 1).first->second);
+        while (!taken.insert(name).second)
+            name = fmt::format("{} ({})", clip.name, ++times.try_emplace(clip.name, 1).first->second);
         names.push_back(std::move(name));
     }
     return names;
@@ -233,10 +249,12 @@ Clip chooseClip(const Model& model, const std::string& wanted, ClipNames& names,
     for (std::size_t i = 0; i < model.animations.size(); ++i) clips.push_back(readClip(model, i, cache, clipNotes[i]));
     names.all = unlikeNames(clips);
     if (!wanted.empty()) {
-        names.chosen = static_cast<std::size_t>(std::find(names.all.begin(), names.all.end(), wanted) - names.all.begin());
+        names.chosen =
+            static_cast<std::size_t>(std::find(names.all.begin(), names.all.end(), wanted) - names.all.begin());
         if (names.chosen == names.all.size())
-            throw Error(fmt::format("has no clip \"{}\"; {}", oneLine(wanted), clips.empty() ? std::string("it has none at all")
-                                                                                              : fmt::format("it has: {}", fmt::join(names.all, ", "))));
+            throw Error(fmt::format("has no clip \"{}\"; {}", oneLine(wanted),
+                                    clips.empty() ? std::string("it has none at all")
+                                                  : fmt::format("it has: {}", fmt::join(names.all, ", "))));
     }
     if (clips.empty()) return {};
     notes.insert(notes.end(), clipNotes[names.chosen].begin(), clipNotes[names.chosen].end());
@@ -255,15 +273,17 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     ClipNames clips;
     NodeMotion motion(model, chooseClip(model, options.clip, clips, notes), notes);
     Looks looks = readLooks(model, files, notes);
-    Stage stage = buildStage(model, motion, std::move(geometries), static_cast<std::uint32_t>(looks.materials.size() - 1), notes);
-    auto scene = std::make_unique<GltfScene>(path.stem().string(), model, std::move(clips), std::move(motion), std::move(stage), std::move(looks), std::move(notes));
+    Stage stage =
+        buildStage(model, motion, std::move(geometries), static_cast<std::uint32_t>(looks.materials.size() - 1), notes);
+    auto scene = std::make_unique<GltfScene>(path.stem().string(), model, std::move(clips), std::move(motion),
+                                             std::move(stage), std::move(looks), std::move(notes));
     std::vector<std::string> defaultNotes;
     const SceneDefaults defaults = readDefaults(document.json, model.scene, scene->duration(), defaultNotes);
     scene->setDefaults(defaults, std::move(defaultNotes));
     return scene;
 }
 
-} // namespace
+}  // namespace
 
 std::unique_ptr<Scene> loadGltf(const std::filesystem::path& path, const GltfOptions& options) {
     constexpr std::size_t longest = 200;
@@ -278,4 +298,4 @@ std::unique_ptr<Scene> loadGltf(const std::filesystem::path& path, const GltfOpt
     throw Error(fmt::format("{}: {}", oneLine(path.string(), 4096), problem));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

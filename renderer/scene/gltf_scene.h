@@ -20,4 +20,4 @@ struct GltfOptions {
 /// The rules are those of design section 6.
 std::unique_ptr<Scene> loadGltf(const std::filesystem::path& path, const GltfOptions& options = {});
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
+#include "core/one_line.h"
 #include "scene/gltf_document.h"
-#include "scene/one_line.h"
 
 namespace timeshade::gltf {
 
@@ -19,14 +19,13 @@ namespace {
 using Json = nlohmann::json;
 
 const std::set<std::string_view> integerKeys{
-    "buffer", "bufferView", "byteLength", "byteOffset", "byteStride", "camera", "componentType", "count", "index",
-    "indices", "input", "inverseBindMatrices", "material", "mesh", "mode", "node", "output", "sampler", "scene",
-    "skeleton", "skin", "source", "texCoord"};
+    "buffer",        "bufferView", "byteLength", "byteOffset", "byteStride", "camera",
+    "componentType", "count",      "index",      "indices",    "input",      "inverseBindMatrices",
+    "material",      "mesh",       "mode",       "node",       "output",     "sampler",
+    "scene",         "skeleton",   "skin",       "source",     "texCoord"};
 const std::set<std::string_view> integerListKeys{"children", "joints"};
 
-std::string shown(const Json& value) {
-    return oneLine(value.dump(-1, ' ', true, Json::error_handler_t::replace), 40);
-}
+std::string shown(const Json& value) { return oneLine(value.dump(-1, ' ', true, Json::error_handler_t::replace), 40); }
 
 void requireInteger(Json& value, const std::string& where) {
     constexpr double limit = 2147483648.0;  // offsets and counts beyond it exceed the limit on buffers in any case
@@ -56,12 +55,16 @@ void checkIntegers(Json& object, const std::string& where) {
         Json& value = item.value();
         if (key == "extras" || key == "extensions") continue;
         const std::string here = where + "." + oneLine(key, 30);
-        if (integerKeys.contains(key) && !value.is_object()) requireInteger(value, here);
-        else if (integerListKeys.contains(key)) requireIntegers(value, here);
-        else if (key == "attributes" || (key == "nodes" && value.is_array())) requireIntegers(value, here);
+        if (integerKeys.contains(key) && !value.is_object())
+            requireInteger(value, here);
+        else if (integerListKeys.contains(key))
+            requireIntegers(value, here);
+        else if (key == "attributes" || (key == "nodes" && value.is_array()))
+            requireIntegers(value, here);
         else if (key == "targets" && value.is_array())
             for (Json& target : value) requireIntegers(target, here);
-        else if (value.is_object()) checkIntegers(value, here);
+        else if (value.is_object())
+            checkIntegers(value, here);
         else if (value.is_array())
             for (Json& element : value)
                 if (element.is_object()) checkIntegers(element, here);
@@ -80,7 +83,7 @@ void checkNode(Json& node, const std::string& where) {
     if (node.contains(light)) requireInteger(node[light], where + ".light");
 }
 
-} // namespace
+}  // namespace
 
 void checkStructure(Json& root) {
     for (const char* section : {"accessors", "animations", "bufferViews", "buffers", "cameras", "images", "materials",
@@ -99,4 +102,4 @@ void checkStructure(Json& root) {
     if (const auto scene = root.find("scene"); scene != root.end()) requireInteger(*scene, "scene");
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

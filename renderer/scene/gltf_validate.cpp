@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "scene/gltf_model.h"
 
 namespace timeshade::gltf {
@@ -64,13 +64,13 @@ void checkSparse(const Model& model, const Accessor& accessor, std::uint64_t ele
     const std::uint64_t indexSize = byteSize(sparse.indexType);
     requireWithin(model.views[static_cast<std::size_t>(sparse.indexView)], sparse.indexOffset, sparse.count, indexSize,
                   indexSize, where + " (sparse indices)");
-    requireWithin(model.views[static_cast<std::size_t>(sparse.valueView)], sparse.valueOffset, sparse.count, elementSize,
-                  elementSize, where + " (sparse values)");
+    requireWithin(model.views[static_cast<std::size_t>(sparse.valueView)], sparse.valueOffset, sparse.count,
+                  elementSize, elementSize, where + " (sparse values)");
 }
 
 void checkAccessors(const Model& model) {
     // Elements without bytes in the file cost the file nothing; so they alone need a limit of their own.
-    constexpr std::uint64_t mostZeros = 1u << 20;
+    constexpr std::uint64_t maxZeros = 1u << 20;
     std::uint64_t zeros = 0;
     for (std::size_t i = 0; i < model.accessors.size(); ++i) {
         const Accessor& accessor = model.accessors[i];
@@ -85,9 +85,10 @@ void checkAccessors(const Model& model) {
                 throw Error(fmt::format("{} has elements of {} bytes at a stride of {}", where, size, stride));
             requireWithin(view, accessor.offset, accessor.count, stride, size, where);
         } else {
-            zeros = accessor.count > mostZeros - zeros ? mostZeros + 1 : zeros + accessor.count;
-            if (zeros > mostZeros)
-                throw Error(fmt::format("{} has {} elements without data, the limit is {} in all", where, accessor.count, mostZeros));
+            zeros = accessor.count > maxZeros - zeros ? maxZeros + 1 : zeros + accessor.count;
+            if (zeros > maxZeros)
+                throw Error(fmt::format("{} has {} elements without data, the limit is {} in all", where,
+                                        accessor.count, maxZeros));
         }
         if (accessor.sparse) checkSparse(model, accessor, size, where);
     }
@@ -100,7 +101,8 @@ void checkMeshes(const Model& model) {
             if (primitive.mode < 0 || primitive.mode > 6)
                 throw Error(fmt::format("{} has the primitive mode {}, expected 0 to 6", where, primitive.mode));
             const std::size_t count = model.accessors.size();
-            for (const int index : {primitive.position, primitive.normal, primitive.textureCoordinates, primitive.indices})
+            for (const int index :
+                 {primitive.position, primitive.normal, primitive.textureCoordinates, primitive.indices})
                 allowIndex(index, count, where, "accessor");
             for (const int index : primitive.joints) requireIndex(index, count, where, "accessor");
             for (const int index : primitive.weights) requireIndex(index, count, where, "accessor");
@@ -164,7 +166,8 @@ void linkParents(Model& model) {
 void markScene(Model& model) {
     allowIndex(model.scene, model.scenes.size(), "the file", "scene");
     for (std::size_t s = 0; s < model.scenes.size(); ++s)
-        for (const int root : model.scenes[s]) requireIndex(root, model.nodes.size(), fmt::format("scene {}", s), "node");
+        for (const int root : model.scenes[s])
+            requireIndex(root, model.nodes.size(), fmt::format("scene {}", s), "node");
     if (model.scene < 0)
         for (Node& node : model.nodes) node.inScene = node.parent < 0;
     else
@@ -188,7 +191,8 @@ void checkSkins(const Model& model) {
         if (matrices.components != 16 || matrices.type != Component::Float)
             throw Error(fmt::format("{} has inverse bind matrices that are not 4x4 floats", where));
         if (matrices.count < skin.joints.size())
-            throw Error(fmt::format("{} has {} inverse bind matrices for {} joints", where, matrices.count, skin.joints.size()));
+            throw Error(fmt::format("{} has {} inverse bind matrices for {} joints", where, matrices.count,
+                                    skin.joints.size()));
     }
 }
 
@@ -218,7 +222,7 @@ void checkMaterials(const Model& model) {
         allowIndex(model.images[i].view, model.views.size(), fmt::format("image {}", i), "bufferView");
 }
 
-} // namespace
+}  // namespace
 
 void validate(Model& model) {
     checkViews(model);
@@ -232,4 +236,4 @@ void validate(Model& model) {
     markScene(model);
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -14,7 +14,7 @@ namespace timeshade::gltf {
 
 namespace {
 
-constexpr double widestCone = 1.48;      // 85 degrees: see LightPose
+constexpr double widestCone = 1.48;       // 85 degrees: see LightPose
 constexpr double pointLightCone = 1.396;  // 80 degrees
 
 /// Gives every camera a name of its own: "eye", "eye 2", "eye 3", ...
@@ -31,13 +31,14 @@ class NameList {
     std::map<std::string, int> copies_;
 };
 
-CameraPose cameraPose(const Camera& camera, const std::string& name, const Bounds& bounds, std::vector<std::string>& notes) {
+CameraPose cameraPose(const Camera& camera, const std::string& name, const Bounds& bounds,
+                      std::vector<std::string>& notes) {
     CameraPose pose = fittedCamera(bounds);
     if (camera.verticalFieldOfView > 0.01 && camera.verticalFieldOfView < 3.0) {
         pose.verticalFieldOfView = camera.verticalFieldOfView;
     } else {
-        notes.push_back(fmt::format("camera \"{}\" has a field of view of {} radians and gets {}", name, camera.verticalFieldOfView,
-                                    pose.verticalFieldOfView));
+        notes.push_back(fmt::format("camera \"{}\" has a field of view of {} radians and gets {}", name,
+                                    camera.verticalFieldOfView, pose.verticalFieldOfView));
     }
     if (camera.nearDistance > 0.0 && std::isfinite(camera.nearDistance)) pose.nearDistance = camera.nearDistance;
     return pose;
@@ -67,7 +68,8 @@ void readCameras(const Model& model, const Bounds& bounds, Views& views, std::ve
 bool usable(const Light& light) {
     const glm::dvec3 amount = light.colour * light.intensity;
     const bool known = light.type == "spot" || light.type == "directional" || light.type == "point";
-    const bool sane = std::min({amount.x, amount.y, amount.z}) >= 0.0 && std::max({amount.x, amount.y, amount.z}) < 1e30;
+    const bool sane =
+        std::min({amount.x, amount.y, amount.z}) >= 0.0 && std::max({amount.x, amount.y, amount.z}) < 1e30;
     return known && sane && std::max({amount.x, amount.y, amount.z}) > 0.0;
 }
 
@@ -79,11 +81,14 @@ PlacedLight placed(const Light& light, int node, const std::string& name, std::v
     to.pose.intensity = light.colour * light.intensity;
     to.pose.outerConeAngle = to.aimed ? pointLightCone : light.outerConeAngle;
     to.pose.innerConeAngle = to.aimed ? pointLightCone * 0.95 : light.innerConeAngle;
-    if (to.aimed) notes.push_back(fmt::format("point light \"{}\" is treated as a spot of 80 degrees aimed at the scene's centre", name));
+    if (to.aimed)
+        notes.push_back(
+            fmt::format("point light \"{}\" is treated as a spot of 80 degrees aimed at the scene's centre", name));
     if (!(to.pose.outerConeAngle > 1e-3 && to.pose.outerConeAngle <= widestCone)) {
         const double given = to.pose.outerConeAngle;
         to.pose.outerConeAngle = given > widestCone ? widestCone : LightPose{}.outerConeAngle;
-        notes.push_back(fmt::format("spot light \"{}\" has an outer angle of {} radians and gets {}", name, given, to.pose.outerConeAngle));
+        notes.push_back(fmt::format("spot light \"{}\" has an outer angle of {} radians and gets {}", name, given,
+                                    to.pose.outerConeAngle));
     }
     const double widestInner = to.pose.outerConeAngle * 0.999;
     to.pose.innerConeAngle = to.pose.innerConeAngle >= 0.0 ? std::min(to.pose.innerConeAngle, widestInner) : 0.0;
@@ -107,8 +112,10 @@ void readLight(const Model& model, const Bounds& bounds, Views& views, std::vect
         if (!usable(lightOf(node))) continue;
         if (chosen < 0 || (lightOf(chosen).type == "point" && lightOf(node).type != "point")) chosen = node;
     }
-    if (chosen >= 0) views.light = placed(lightOf(chosen), chosen, nameOf(chosen), notes);
-    else views.light.pose = fittedLight(bounds);
+    if (chosen >= 0)
+        views.light = placed(lightOf(chosen), chosen, nameOf(chosen), notes);
+    else
+        views.light.pose = fittedLight(bounds);
 
     std::vector<std::string> rest;
     for (const int node : all)
@@ -116,10 +123,11 @@ void readLight(const Model& model, const Bounds& bounds, Views& views, std::vect
     if (rest.empty()) return;
     const std::size_t count = rest.size();
     if (count > 8) rest.resize(8);
-    notes.push_back(fmt::format("one light is used; {} left out: {}{}", count, fmt::join(rest, ", "), count > 8 ? ", ..." : ""));
+    notes.push_back(
+        fmt::format("one light is used; {} left out: {}{}", count, fmt::join(rest, ", "), count > 8 ? ", ..." : ""));
 }
 
-} // namespace
+}  // namespace
 
 Views readViews(const Model& model, const Bounds& bounds, std::vector<std::string>& notes) {
     Views views;
@@ -128,4 +136,4 @@ Views readViews(const Model& model, const Bounds& bounds, std::vector<std::strin
     return views;
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -28,4 +28,4 @@ struct Views {
 /// Cameras and the light of the shown scene, or fitted ones where the file has none.
 Views readViews(const Model& model, const Bounds& bounds, std::vector<std::string>& notes);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -28,4 +28,4 @@ struct Image {
     std::vector<std::uint8_t> rgba;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

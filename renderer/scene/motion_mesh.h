@@ -33,4 +33,4 @@ struct MotionMesh {
     double largestTurnDegrees = 0.0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

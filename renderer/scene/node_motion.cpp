@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade::gltf {
 
@@ -40,7 +40,7 @@ double angleBetween(const glm::dmat3& from, const glm::dmat3& to) {
     return std::atan2(glm::length(skew), turn[0][0] + turn[1][1] + turn[2][2] - 1.0);  // exact for small angles too
 }
 
-} // namespace
+}  // namespace
 
 glm::dmat3 rotationOf(const glm::dmat4& transform) {
     const glm::dvec3 x(transform[0]);
@@ -61,7 +61,8 @@ NodeMotion::NodeMotion(const Model& model, Clip clip, std::vector<std::string>& 
 }
 
 void NodeMotion::readEntries(const Model& model, std::vector<std::string>& notes) {
-    std::stable_sort(clip_.tracks.begin(), clip_.tracks.end(), [](const Track& a, const Track& b) { return a.node < b.node; });
+    std::stable_sort(clip_.tracks.begin(), clip_.tracks.end(),
+                     [](const Track& a, const Track& b) { return a.node < b.node; });
     std::size_t track = 0;
     std::size_t decomposedNodes = 0;
     for (const Node& node : model.nodes) {
@@ -88,10 +89,12 @@ void NodeMotion::restPose(const Model& model) {
         const auto i = static_cast<std::size_t>(index);
         const Entry& entry = nodes_[i];
         const bool child = entry.parent >= 0;
-        rest_.worldFromNode[i] = child ? rest_.worldFromNode[static_cast<std::size_t>(entry.parent)] * entry.matrix : entry.matrix;
+        rest_.worldFromNode[i] =
+            child ? rest_.worldFromNode[static_cast<std::size_t>(entry.parent)] * entry.matrix : entry.matrix;
         requireFinite(rest_.worldFromNode[i], i, 0.0);
         bool driven = child && moves_[static_cast<std::size_t>(entry.parent)];
-        for (std::size_t t = entry.firstTrack; t < entry.endTrack; ++t) driven = driven || clip_.tracks[t].path != TargetPath::Weights;
+        for (std::size_t t = entry.firstTrack; t < entry.endTrack; ++t)
+            driven = driven || clip_.tracks[t].path != TargetPath::Weights;
         moves_[i] = driven;
         if (driven) movingParentsFirst_.push_back(index);
 
@@ -101,7 +104,8 @@ void NodeMotion::restPose(const Model& model) {
         const std::size_t targets = mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
         rest_.morphWeights[i] = node.weights.empty() ? mesh.weights : node.weights;
         if (!rest_.morphWeights[i].empty() && rest_.morphWeights[i].size() != targets)
-            throw Error(fmt::format("node {} has {} morph weights for {} targets", i, rest_.morphWeights[i].size(), targets));
+            throw Error(
+                fmt::format("node {} has {} morph weights for {} targets", i, rest_.morphWeights[i].size(), targets));
         rest_.morphWeights[i].resize(targets, 0.0);
     }
 }
@@ -135,11 +139,13 @@ Pose NodeMotion::at(double clipSeconds) const {
         const auto i = static_cast<std::size_t>(index);
         const Entry& entry = nodes_[i];
         const glm::dmat4 local = parentFromNode(entry, clipSeconds);
-        pose.worldFromNode[i] = entry.parent >= 0 ? pose.worldFromNode[static_cast<std::size_t>(entry.parent)] * local : local;
+        pose.worldFromNode[i] =
+            entry.parent >= 0 ? pose.worldFromNode[static_cast<std::size_t>(entry.parent)] * local : local;
         requireFinite(pose.worldFromNode[i], i, clipSeconds);
     }
     for (const Track& track : clip_.tracks)
-        if (track.path == TargetPath::Weights) track.sample(clipSeconds, pose.morphWeights[static_cast<std::size_t>(track.node)].data());
+        if (track.path == TargetPath::Weights)
+            track.sample(clipSeconds, pose.morphWeights[static_cast<std::size_t>(track.node)].data());
     return pose;
 }
 
@@ -166,4 +172,4 @@ double NodeMotion::largestTurnDegrees(const std::vector<int>& nodes, const std::
     return *std::max_element(turns.begin(), turns.end()) * 57.29577951308232;
 }
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

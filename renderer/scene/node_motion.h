@@ -58,4 +58,4 @@ class NodeMotion {
 /// The rotation in a transform: its axes made orthonormal, right-handed. Identity where an axis has no length.
 glm::dmat3 rotationOf(const glm::dmat4& transform);
 
-} // namespace timeshade::gltf
+}  // namespace timeshade::gltf

@@ -17,8 +17,14 @@ namespace timeshade {
 struct Bounds {
     glm::dvec3 low{1e300};
     glm::dvec3 high{-1e300};
-    void add(const glm::dvec3& point) { low = glm::min(low, point); high = glm::max(high, point); }
-    void add(const Bounds& other) { low = glm::min(low, other.low); high = glm::max(high, other.high); }
+    void add(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    void add(const Bounds& other) {
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
+    }
     bool empty() const { return !(low.x <= high.x && low.y <= high.y && low.z <= high.z); }
     glm::dvec3 centre() const { return 0.5 * (low + high); }
     double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
@@ -65,7 +71,8 @@ class Scene {
     }
     /// Bounds over the whole clip (sampled), never empty; what cameras, lights and origins are fitted to.
     virtual const Bounds& bounds() const = 0;
-    /// Names of the clips of the file, no two alike, and the place among them of the one that plays. Empty where there are none.
+    /// Names of the clips of the file, no two alike, and the place among them of the one that plays. Empty where there
+    /// are none.
     virtual const std::vector<std::string>& clips() const {
         static const std::vector<std::string> none;
         return none;
@@ -80,4 +87,4 @@ class Scene {
     }
 };
 
-} // namespace timeshade
+}  // namespace timeshade

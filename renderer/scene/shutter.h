@@ -25,4 +25,4 @@ struct Shutter {
     }
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -31,7 +31,8 @@ struct Flight {
     RigidPose at(double seconds) const {
         const double round = 2.0 * pi * seconds * framesPerSecond / frames;
         const double angle = phase + round * circle.rounds;
-        return {centre + circle.radius * (std::cos(angle) * across + std::sin(angle) * up), turnAbout(turnAxis, round * turns) * axes};
+        return {centre + circle.radius * (std::cos(angle) * across + std::sin(angle) * up),
+                turnAbout(turnAxis, round * turns) * axes};
     }
 };
 
@@ -39,7 +40,8 @@ Flight flightOf(std::uint32_t seed, std::uint32_t cube, double speed, double deg
     Dice dice(seed, cube);
     Flight flight;
     const glm::dvec3 normal = dice.direction();
-    flight.across = glm::normalize(glm::cross(std::abs(normal.y) < 0.8 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0), normal));
+    flight.across = glm::normalize(
+        glm::cross(std::abs(normal.y) < 0.8 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0), normal));
     flight.up = glm::cross(normal, flight.across);
     const double chord = cubeSide * speed * dice.between(0.5, 1.0);
     flight.circle = Circle::withChord(chord, std::max(dice.between(2.0, 3.2), 0.55 * chord), frames);
@@ -54,10 +56,11 @@ Flight flightOf(std::uint32_t seed, std::uint32_t cube, double speed, double deg
     return flight;
 }
 
-} // namespace
+}  // namespace
 
 const RecipeDescription& Cubes::description() const {
-    static const RecipeDescription description{"cubes", "many cubes in the air, each flying and turning in its own way, and their shadows on the ground"};
+    static const RecipeDescription description{
+        "cubes", "many cubes in the air, each flying and turning in its own way, and their shadows on the ground"};
     return description;
 }
 
@@ -65,8 +68,9 @@ void Cubes::visitSettings(SettingsVisitor& visitor) {
     visitor.whole("count", count_, 500.0, 1.0, 20000.0, "cubes", "How many cubes fly; 12 triangles each.", true);
     visitor.number("speed", speed_, 2.0, 0.0, 16.0, "cube sizes per frame",
                    "How far the fastest cubes fly in one frame; the slowest fly half as far.");
-    visitor.number("turn", turn_, 6.0, 0.0, 30.0, "degrees per frame",
-                   "How far the cubes that turn fastest turn in one frame, to a step of 1.5; the slowest turn half as far.");
+    visitor.number(
+        "turn", turn_, 6.0, 0.0, 30.0, "degrees per frame",
+        "How far the cubes that turn fastest turn in one frame, to a step of 1.5; the slowest turn half as far.");
     visitor.whole("seed", seed_, 1.0, 0.0, 1e6, "seed", "Another number is another flight of all cubes.");
 }
 
@@ -81,7 +85,8 @@ std::unique_ptr<Scene> Cubes::make() {
     const auto cube = std::make_shared<const Shape>(box(glm::dvec3(cubeSide), glm::ivec3(1)));
     for (int i = 0; i < count_; ++i) {
         const auto number = static_cast<std::uint32_t>(i);
-        const Flight flight = flightOf(static_cast<std::uint32_t>(seed_), number, static_cast<double>(speed_), static_cast<double>(turn_));
+        const Flight flight = flightOf(static_cast<std::uint32_t>(seed_), number, static_cast<double>(speed_),
+                                       static_cast<double>(turn_));
         MeshInstance instance;
         instance.shape = cube;
         instance.material = 1 + number % static_cast<std::uint32_t>(std::size(colours));
@@ -93,12 +98,12 @@ std::unique_ptr<Scene> Cubes::make() {
         }
         parts.instances.push_back(std::move(instance));
     }
-    parts.cameras.emplace_back("block", stillCamera({12.0, 14.6, 23.0}, {0.0, 4.0, 0.0}, 0.62));
-    parts.cameras.emplace_back("above", stillCamera({2.0, 36.0, 8.0}, {0.0, 2.0, -0.5}, 0.62));
-    parts.light = stillSpot({-9.0, 31.0, 7.0}, {0.0, 3.5, 0.0}, 0.47, 0.56);
+    parts.cameras.emplace_back("block", staticCamera({12.0, 14.6, 23.0}, {0.0, 4.0, 0.0}, 0.62));
+    parts.cameras.emplace_back("above", staticCamera({2.0, 36.0, 8.0}, {0.0, 2.0, -0.5}, 0.62));
+    parts.light = staticSpot({-9.0, 31.0, 7.0}, {0.0, 3.5, 0.0}, 0.47, 0.56);
     parts.bounds.add(glm::dvec3(-0.5 * groundSide, 0.0, -0.5 * groundSide));
     parts.bounds.add(glm::dvec3(0.5 * groundSide, airHigh.y + cubeSide, 0.5 * groundSide));
     return std::make_unique<MeshScene>(std::move(parts));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

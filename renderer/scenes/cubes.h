@@ -20,4 +20,4 @@ class Cubes final : public SceneRecipe {
     int seed_ = 1;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -17,4 +17,4 @@ class Frusta final : public SceneRecipe {
     float speed_ = 0.125f;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -7,7 +7,8 @@ namespace timeshade {
 
 namespace {
 
-void place(const Shape& shape, const RigidPose& pose, std::vector<glm::dvec3>& positions, std::vector<glm::vec3>& normals) {
+void place(const Shape& shape, const RigidPose& pose, std::vector<glm::dvec3>& positions,
+           std::vector<glm::vec3>& normals) {
     const glm::mat3 turn(pose.axes);
     for (const glm::dvec3& position : shape.positions) positions.push_back(pose.axes * position + pose.position);
     for (const glm::vec3& normal : shape.normals) normals.push_back(glm::normalize(turn * normal));
@@ -33,9 +34,10 @@ std::shared_ptr<const MeshTopology> topologyOf(const std::vector<MeshInstance>& 
     return topology;
 }
 
-} // namespace
+}  // namespace
 
-MeshScene::MeshScene(SceneParts parts) : parts_(std::move(parts)), clock_(parts_.duration, true), topology_(topologyOf(parts_.instances)) {
+MeshScene::MeshScene(SceneParts parts)
+    : parts_(std::move(parts)), clock_(parts_.duration, true), topology_(topologyOf(parts_.instances)) {
     for (const auto& [name, pose] : parts_.cameras) cameras_.push_back({name});
 }
 
@@ -67,4 +69,4 @@ MotionMesh MeshScene::motionMesh(double openSeconds, double closeSeconds) const 
     return mesh;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

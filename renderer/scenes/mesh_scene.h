@@ -52,7 +52,9 @@ class MeshScene final : public Scene {
     const std::vector<Material>& materials() const override { return parts_.materials; }
     const std::vector<Image>& images() const override { return images_; }
     const std::vector<CameraBookmark>& cameras() const override { return cameras_; }
-    CameraPose camera(std::size_t index, double seconds) const override { return parts_.cameras.at(index).second(clock_.wrapped(seconds)); }
+    CameraPose camera(std::size_t index, double seconds) const override {
+        return parts_.cameras.at(index).second(clock_.wrapped(seconds));
+    }
     LightPose light(double seconds) const override { return parts_.light(clock_.wrapped(seconds)); }
     MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
     const Bounds& bounds() const override { return parts_.bounds; }
@@ -68,4 +70,4 @@ class MeshScene final : public Scene {
     std::shared_ptr<const MeshTopology> topology_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

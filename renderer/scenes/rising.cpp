@@ -15,10 +15,11 @@ constexpr double cubeSide = 2.4;
 constexpr double groundSide = 40.0;
 constexpr double lightHeight = 34.0;
 
-} // namespace
+}  // namespace
 
 const RecipeDescription& Rising::description() const {
-    static const RecipeDescription description{"rising", "two finely divided cubes that rise towards a light overhead: 12,000 moving triangles"};
+    static const RecipeDescription description{
+        "rising", "two finely divided cubes that rise towards a light overhead: 12,000 moving triangles"};
     return description;
 }
 
@@ -33,7 +34,8 @@ std::unique_ptr<Scene> Rising::make() {
     parts.defaults = {static_cast<double>(defaultFrame), framesPerSecond, 1.0};
     parts.duration = speed_ > 0.0f ? frames / framesPerSecond : 0.0;
     parts.parameters = parametersOf(*this);
-    parts.materials = {matt("ground", {0.46f, 0.45f, 0.42f}, 0.95f), matt("brick", {0.78f, 0.36f, 0.24f}), matt("slate", {0.30f, 0.46f, 0.58f})};
+    parts.materials = {matt("ground", {0.46f, 0.45f, 0.42f}, 0.95f), matt("brick", {0.78f, 0.36f, 0.24f}),
+                       matt("slate", {0.30f, 0.46f, 0.58f})};
     parts.instances.push_back(ground(groundSide, 0));
 
     // 18 x 20 x 30 cells: no finer cube of equal cells has 6,000 triangles.
@@ -49,17 +51,18 @@ std::unique_ptr<Scene> Rising::make() {
         if (speed_ > 0.0f)
             instance.motion = [middle, swing](double seconds) {
                 RigidPose pose = middle;
-                pose.position.y += swing * std::sin(2.0 * pi * (seconds * framesPerSecond - defaultFrame - 0.5) / frames);
+                pose.position.y +=
+                    swing * std::sin(2.0 * pi * (seconds * framesPerSecond - defaultFrame - 0.5) / frames);
                 return pose;
             };
         parts.instances.push_back(std::move(instance));
     }
-    parts.cameras.emplace_back("beside", stillCamera({10.0, 16.0, 25.0}, {0.0, 4.6, 0.0}, 0.62));
-    parts.cameras.emplace_back("above", stillCamera({3.0, 30.0, 10.0}, {0.0, 3.0, 0.0}, 0.56));
-    parts.light = stillSpot({0.0, lightHeight, 0.0}, {0.0, 0.0, 0.0}, 0.50, 0.58);
+    parts.cameras.emplace_back("beside", staticCamera({10.0, 16.0, 25.0}, {0.0, 4.6, 0.0}, 0.62));
+    parts.cameras.emplace_back("above", staticCamera({3.0, 30.0, 10.0}, {0.0, 3.0, 0.0}, 0.56));
+    parts.light = staticSpot({0.0, lightHeight, 0.0}, {0.0, 0.0, 0.0}, 0.50, 0.58);
     parts.bounds.add(glm::dvec3(-0.5 * groundSide, 0.0, -0.5 * groundSide));
     parts.bounds.add(glm::dvec3(0.5 * groundSide, 2.0 * swing + 2.5 * cubeSide, 0.5 * groundSide));
     return std::make_unique<MeshScene>(std::move(parts));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -16,4 +16,4 @@ class Rising final : public SceneRecipe {
     float speed_ = 0.5f;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

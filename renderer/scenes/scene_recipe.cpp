@@ -18,7 +18,7 @@ std::vector<std::unique_ptr<SceneRecipe>> allRecipes() {
     return recipes;
 }
 
-} // namespace
+}  // namespace
 
 const std::vector<RecipeDescription>& recipeDescriptions() {
     static const std::vector<RecipeDescription> descriptions = [] {
@@ -41,4 +41,4 @@ std::vector<SceneParameter> parametersOf(SceneRecipe& recipe) {
     return parameters;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/setting.h"
 #include "scene/scene.h"
-#include "settings/setting.h"
 
 namespace timeshade {
 
@@ -32,4 +32,4 @@ std::unique_ptr<SceneRecipe> makeRecipe(const std::string& name);
 /// The settings as the scene's parameters, for its reports.
 std::vector<SceneParameter> parametersOf(SceneRecipe& recipe);
 
-} // namespace timeshade
+}  // namespace timeshade

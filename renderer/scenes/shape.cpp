@@ -50,7 +50,8 @@ class GeodesicGrid {
         const auto [found, isNew] = numbers_.try_emplace(key, static_cast<std::uint32_t>(shape.positions.size()));
         if (isNew) {
             glm::dvec3 position(0.0);
-            for (const auto& [corner, share] : key) position += (static_cast<double>(share) / frequency_) * corners[static_cast<std::size_t>(corner)];
+            for (const auto& [corner, share] : key)
+                position += (static_cast<double>(share) / frequency_) * corners[static_cast<std::size_t>(corner)];
             shape.positions.push_back(glm::normalize(position));
             shape.normals.emplace_back(shape.positions.back());
         }
@@ -64,7 +65,7 @@ class GeodesicGrid {
     std::map<std::map<int, int>, std::uint32_t> numbers_;
 };
 
-} // namespace
+}  // namespace
 
 void Shape::add(const Shape& other) {
     const auto first = static_cast<std::uint32_t>(positions.size());
@@ -88,11 +89,22 @@ Shape box(const glm::dvec3& size, const glm::ivec3& cells) {
 
 Shape geodesicSphere(int frequency) {
     const double g = 0.5 * (1.0 + std::sqrt(5.0));
-    const std::array<glm::dvec3, 12> corners{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                              {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}};
-    constexpr std::array<std::array<int, 3>, 20> sides{{{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                                                        {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                                                        {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+    const std::array<glm::dvec3, 12> corners{{{-1, g, 0},
+                                              {1, g, 0},
+                                              {-1, -g, 0},
+                                              {1, -g, 0},
+                                              {0, -1, g},
+                                              {0, 1, g},
+                                              {0, -1, -g},
+                                              {0, 1, -g},
+                                              {g, 0, -1},
+                                              {g, 0, 1},
+                                              {-g, 0, -1},
+                                              {-g, 0, 1}}};
+    constexpr std::array<std::array<int, 3>, 20> sides{{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                                        {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                                        {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                                        {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
     GeodesicGrid grid(frequency);
     for (const auto& corner : sides) {
         const glm::ivec3 side(corner[0], corner[1], corner[2]);
@@ -100,7 +112,8 @@ Shape geodesicSphere(int frequency) {
         for (int i = 0; i < frequency; ++i) {
             for (int j = 0; j < frequency - i; ++j) {
                 grid.shape.triangles.emplace_back(at(i, j), at(i + 1, j), at(i, j + 1));
-                if (i + j + 1 < frequency) grid.shape.triangles.emplace_back(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+                if (i + j + 1 < frequency)
+                    grid.shape.triangles.emplace_back(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
             }
         }
     }
@@ -138,4 +151,4 @@ Shape turned(const std::vector<std::pair<double, double>>& profile, int sides) {
     return shape;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

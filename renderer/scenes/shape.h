@@ -21,8 +21,8 @@ struct Shape {
 /// A rectangle in the plane y = 0 about the origin, facing up, of cells x cells squares: 2 * cells^2 triangles.
 Shape plane(double width, double depth, int cells);
 
-/// A box about the origin with flat sides, closed, its sides divided into a grid that has `cells` cells along each axis:
-/// 4 (xy + yz + zx) triangles.
+/// A box about the origin with flat sides, closed, its sides divided into a grid that has `cells` cells along each
+/// axis: 4 (xy + yz + zx) triangles.
 Shape box(const glm::dvec3& size, const glm::ivec3& cells);
 
 /// An icosahedron whose sides are divided into frequency^2 triangles each, blown up to the unit sphere: closed, convex,
@@ -36,4 +36,4 @@ Shape stretched(Shape shape, const glm::dvec3& factors);
 /// The first and the last radius are 0, the others are not; at least three points and three sides.
 Shape turned(const std::vector<std::pair<double, double>>& profile, int sides);
 
-} // namespace timeshade
+}  // namespace timeshade

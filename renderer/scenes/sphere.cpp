@@ -13,17 +13,21 @@ constexpr double framesPerSecond = 24.0;
 constexpr double groundSide = 30.0;
 const glm::dvec3 radii(2.3, 1.95, 1.7);
 
-} // namespace
+}  // namespace
 
 const RecipeDescription& Sphere::description() const {
-    static const RecipeDescription description{"sphere", "a round stone of 20,480 triangles that flies and turns: its lit side has no shadow of its own"};
+    static const RecipeDescription description{
+        "sphere", "a round stone of 20,480 triangles that flies and turns: its lit side has no shadow of its own"};
     return description;
 }
 
 void Sphere::visitSettings(SettingsVisitor& visitor) {
-    visitor.whole("frequency", frequency_, 32.0, 2.0, 128.0, "divisions", "Into how many parts the edges of an icosahedron are divided; 20 times its square triangles.");
-    visitor.number("speed", speed_, 0.5, 0.0, 4.0, "units per frame", "How far the stone flies in one frame; its radius is about 2.");
-    visitor.number("turn", turn_, 7.5, 0.0, 30.0, "degrees per frame", "How far the stone turns in one frame, to a step of 1.5.");
+    visitor.whole("frequency", frequency_, 32.0, 2.0, 128.0, "divisions",
+                  "Into how many parts the edges of an icosahedron are divided; 20 times its square triangles.");
+    visitor.number("speed", speed_, 0.5, 0.0, 4.0, "units per frame",
+                   "How far the stone flies in one frame; its radius is about 2.");
+    visitor.number("turn", turn_, 7.5, 0.0, 30.0, "degrees per frame",
+                   "How far the stone turns in one frame, to a step of 1.5.");
 }
 
 std::unique_ptr<Scene> Sphere::make() {
@@ -42,7 +46,8 @@ std::unique_ptr<Scene> Sphere::make() {
     const auto poseAt = [circle, turns](double seconds) {
         const double round = 2.0 * pi * seconds * framesPerSecond / frames, angle = round * circle.rounds;
         const glm::dvec3 way(std::cos(angle), 0.35 * std::sin(angle), std::sin(angle));
-        return RigidPose{glm::dvec3(0.0, 4.4, 0.0) + circle.radius * way, turnAbout(glm::normalize(glm::dvec3(0.5, 1.0, 0.3)), round * turns)};
+        return RigidPose{glm::dvec3(0.0, 4.4, 0.0) + circle.radius * way,
+                         turnAbout(glm::normalize(glm::dvec3(0.5, 1.0, 0.3)), round * turns)};
     };
     stone.pose = poseAt(0.0);
     if (circle.rounds > 0 || turns > 0) {
@@ -50,12 +55,12 @@ std::unique_ptr<Scene> Sphere::make() {
         parts.duration = frames / framesPerSecond;
     }
     parts.instances.push_back(std::move(stone));
-    parts.cameras.emplace_back("beside", stillCamera({4.0, 11.0, 17.0}, {0.3, 2.9, 0.0}, 0.62));
-    parts.cameras.emplace_back("near", stillCamera({1.5, 8.0, 12.0}, {0.4, 4.2, 0.6}, 0.5));
-    parts.light = stillSpot({-8.0, 17.0, 7.0}, {0.0, 2.5, 0.0}, 0.46, 0.56);
+    parts.cameras.emplace_back("beside", staticCamera({4.0, 11.0, 17.0}, {0.3, 2.9, 0.0}, 0.62));
+    parts.cameras.emplace_back("near", staticCamera({1.5, 8.0, 12.0}, {0.4, 4.2, 0.6}, 0.5));
+    parts.light = staticSpot({-8.0, 17.0, 7.0}, {0.0, 2.5, 0.0}, 0.46, 0.56);
     parts.bounds.add(glm::dvec3(-0.5 * groundSide, 0.0, -0.5 * groundSide));
     parts.bounds.add(glm::dvec3(0.5 * groundSide, 4.4 + 2.4 * 0.35 * 1.3 + radii.x, 0.5 * groundSide));
     return std::make_unique<MeshScene>(std::move(parts));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

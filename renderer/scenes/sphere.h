@@ -18,4 +18,4 @@ class Sphere final : public SceneRecipe {
     float turn_ = 7.5f;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

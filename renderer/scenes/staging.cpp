@@ -23,7 +23,8 @@ MeshInstance ground(double side, std::uint32_t material) {
     return instance;
 }
 
-std::function<LightPose(double)> stillSpot(const glm::dvec3& position, const glm::dvec3& target, double innerCone, double outerCone) {
+std::function<LightPose(double)> staticSpot(const glm::dvec3& position, const glm::dvec3& target, double innerCone,
+                                            double outerCone) {
     LightPose pose;
     pose.position = position;
     pose.axes = lookAt(position, target, glm::dvec3(0.0, 1.0, 0.0), 1.0, 1.0).axes;
@@ -33,7 +34,8 @@ std::function<LightPose(double)> stillSpot(const glm::dvec3& position, const glm
     return [pose](double) { return pose; };
 }
 
-std::function<CameraPose(double)> stillCamera(const glm::dvec3& eye, const glm::dvec3& target, double verticalFieldOfView) {
+std::function<CameraPose(double)> staticCamera(const glm::dvec3& eye, const glm::dvec3& target,
+                                               double verticalFieldOfView) {
     const CameraPose pose = lookAt(eye, target, glm::dvec3(0.0, 1.0, 0.0), verticalFieldOfView, 0.05);
     return [pose](double) { return pose; };
 }
@@ -59,4 +61,4 @@ glm::dvec3 Dice::direction() {
     return {radius * std::cos(angle), height, radius * std::sin(angle)};
 }
 
-} // namespace timeshade
+}  // namespace timeshade

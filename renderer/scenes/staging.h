@@ -19,16 +19,18 @@ Material matt(std::string name, const glm::vec3& colour, float roughness = 0.85f
 MeshInstance ground(double side, std::uint32_t material);
 
 /// Does not move. Cone angles in radians from the axis.
-std::function<LightPose(double)> stillSpot(const glm::dvec3& position, const glm::dvec3& target, double innerCone, double outerCone);
+std::function<LightPose(double)> staticSpot(const glm::dvec3& position, const glm::dvec3& target, double innerCone,
+                                            double outerCone);
 
-std::function<CameraPose(double)> stillCamera(const glm::dvec3& eye, const glm::dvec3& target, double verticalFieldOfView);
+std::function<CameraPose(double)> staticCamera(const glm::dvec3& eye, const glm::dvec3& target,
+                                               double verticalFieldOfView);
 
 /// The turn by an angle (radians) about a unit vector.
 glm::dmat3 turnAbout(const glm::dvec3& axis, double angle);
 
 /// A steady way round a circle: `rounds` times in a scene's duration.
 struct Circle {
-    int rounds = 0;       ///< 0: stands still at the centre
+    int rounds = 0;  ///< 0: stands still at the centre
     double radius = 0.0;
 
     /// The circle on which the chord of one frame has this length, its radius as near to the wanted one as a whole
@@ -41,13 +43,13 @@ class Dice {
   public:
     Dice(std::uint32_t seed, std::uint32_t thing) : seed_(seed), thing_(thing) {}
 
-    double share();                       ///< the next number in [0, 1)
+    double share();  ///< the next number in [0, 1)
     double between(double low, double high) { return low + (high - low) * share(); }
-    glm::dvec3 direction();               ///< a unit vector, all directions equally likely
+    glm::dvec3 direction();  ///< a unit vector, all directions equally likely
     std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(share() * count); }
 
   private:
     std::uint32_t seed_, thing_, property_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "techniques/accumulation/accumulation_shadow.h"
 #include "techniques/exact/exact_shadow.h"
 #include "techniques/history/history_shadow.h"
@@ -22,23 +22,19 @@ struct Entry {
 
 template <typename T>
 Entry entry() {
-    return {&T::describe, [](gl::ProgramCache& programs) -> std::unique_ptr<Technique> { return std::make_unique<T>(programs); }};
+    return {&T::describe,
+            [](gl::ProgramCache& programs) -> std::unique_ptr<Technique> { return std::make_unique<T>(programs); }};
 }
 
 const std::vector<Entry>& registry() {
     static const std::vector<Entry> entries{
-        entry<StaticShadow>(),
-        entry<TsmShadow>(),
-        entry<AccumulationShadow>(),
-        entry<ExactShadow>(),
-        entry<HistoryShadow>(),
-        entry<RangesShadow>(),
-        entry<TemporalShadow>(),
+        entry<StaticShadow>(),  entry<TsmShadow>(),    entry<AccumulationShadow>(), entry<ExactShadow>(),
+        entry<HistoryShadow>(), entry<RangesShadow>(), entry<TemporalShadow>(),
     };
     return entries;
 }
 
-} // namespace
+}  // namespace
 
 const std::vector<TechniqueDescription>& techniqueDescriptions() {
     static const std::vector<TechniqueDescription> descriptions = [] {
@@ -58,4 +54,4 @@ std::unique_ptr<Technique> makeTechnique(const std::string& name, gl::ProgramCac
     throw UsageError(fmt::format("technique '{}': no such technique; expected one of {}", name, known));
 }
 
-} // namespace timeshade
+}  // namespace timeshade

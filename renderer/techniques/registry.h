@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
@@ -15,4 +15,4 @@ const std::vector<TechniqueDescription>& techniqueDescriptions();
 /// be listed and parsed without a context; `programs` must outlive the technique.
 std::unique_ptr<Technique> makeTechnique(const std::string& name, gl::ProgramCache& programs);
 
-} // namespace timeshade
+}  // namespace timeshade

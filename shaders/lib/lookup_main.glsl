@@ -1,7 +1,7 @@
-// KEEP_STILL: asks about what stands still, by casters that do, and says where in the light's map each sample is: cell x and y, and what is left
+// CACHE_STATIC: asks about what stands still, by casters that do, and says where in the light's map each sample is: cell x and y, and what is left
 // beyond them, so that the least of all samples bounds a pixel.
 layout(location = 0) out float outputLit;
-#ifdef KEEP_STILL
+#ifdef CACHE_STATIC
 layout(location = 1) out vec4 outputCells;
 
 vec4 cellsOf(Receiver r) {
@@ -14,7 +14,7 @@ void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
     outputLit = 1.0;
-#ifdef KEEP_STILL
+#ifdef CACHE_STATIC
     outputCells = vec4(NO_CELL);
 #endif
     if (id == NO_TRIANGLE) return;
@@ -23,7 +23,7 @@ void main() {
     outputLit = 0.0;
     if (!facesLight(r)) return;
     outputLit = litOf(t, r);
-#ifdef KEEP_STILL
+#ifdef CACHE_STATIC
     outputCells = cellsOf(r);
 #endif
 }

@@ -1,20 +1,20 @@
 // Pixels in which a kept answer may be another by now: something that moves is seen in one of its samples, or may come between one of them and
 // the light. All others are discarded; what is left lets the technique's own lookup through, by the depth test.
-// MOVING_SEEN: there may be such.
+// DYNAMIC_SEEN: there may be such.
 #include "lib/blocks.glsl"
 
-#ifdef MOVING_SEEN
-layout(binding = TOUCHED_UNIT) uniform sampler2D touched;
+#ifdef DYNAMIC_SEEN
+layout(binding = DYNAMIC_PIXELS_UNIT) uniform sampler2D dynamicPixels;
 #endif
-layout(binding = KEPT_CELLS_UNIT) uniform sampler2D keptCells;
+layout(binding = CACHED_CELLS_UNIT) uniform sampler2D cachedCells;
 layout(binding = REACHED_UNIT) uniform usampler2D reachedCells;
 
-const int LARGEST_WALK = 16;  // cells along a side: a pixel on a silhouette may hold places far apart
+const int MAX_WALK = 16;  // cells along a side: a pixel on a silhouette may hold places far apart
 
 bool reached(vec4 bounds) {
     if (bounds.x >= NO_CELL) return false;
     ivec2 low = ivec2(bounds.xy), extent = ivec2(REACHED_SIDE) - ivec2(bounds.zw) - low;
-    if (max(extent.x, extent.y) > LARGEST_WALK) return true;
+    if (max(extent.x, extent.y) > MAX_WALK) return true;
     uint any = 0u;
     for (int i = 0; i < extent.x * extent.y; ++i) any |= texelFetch(reachedCells, low + ivec2(i % extent.x, i / extent.x), 0).x;
     return any != 0u;
@@ -22,9 +22,9 @@ bool reached(vec4 bounds) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    bool asked = reached(texelFetch(keptCells, pixel, 0));
-#ifdef MOVING_SEEN
-    asked = asked || texelFetch(touched, pixel, 0).x != 0.0;
+    bool asked = reached(texelFetch(cachedCells, pixel, 0));
+#ifdef DYNAMIC_SEEN
+    asked = asked || texelFetch(dynamicPixels, pixel, 0).x != 0.0;
 #endif
     if (!asked) discard;
 }

@@ -1,6 +1,6 @@
 // Does the sample of this pixel and stratum lie in the moving triangle at its own time? Exact per sample: the cover
 // drawn by the vertex shader only has to be large enough.
-// OUTPUT_ID: write the triangle's number. OUTPUT_TOUCHED: and 1 where a triangle is seen in any stratum. OUTPUT_DEPTH_VELOCITY: write how fast the depth changes that this pixel sees of the triangle.
+// OUTPUT_ID: write the triangle's number. OUTPUT_DYNAMIC_PIXELS: and 1 where a triangle is seen in any stratum. OUTPUT_DEPTH_VELOCITY: write how fast the depth changes that this pixel sees of the triangle.
 #include "lib/blocks.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
@@ -23,8 +23,8 @@ flat in uint triangleId;
 
 #if defined(OUTPUT_ID)
 layout(location = 0) out uint outputId;
-#ifdef OUTPUT_TOUCHED
-layout(location = 1) out float outputTouched;
+#ifdef OUTPUT_DYNAMIC_PIXELS
+layout(location = 1) out float outputDynamicPixel;
 #endif
 #elif defined(OUTPUT_DEPTH_VELOCITY)
 layout(location = 0) out float outputDepthVelocity;
@@ -72,8 +72,8 @@ void main() {
 #endif
 #if defined(OUTPUT_ID)
     outputId = triangleId;
-#ifdef OUTPUT_TOUCHED
-    outputTouched = 1.0;
+#ifdef OUTPUT_DYNAMIC_PIXELS
+    outputDynamicPixel = 1.0;
 #endif
 #elif defined(OUTPUT_DEPTH_VELOCITY)
     vec3 d0 = close0 - open0.xyz, d1 = close1 - open1, d2 = close2 - open2;

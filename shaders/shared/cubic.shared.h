@@ -28,8 +28,8 @@ SHARED_FUNCTION float cubicSlopeAt(vec4 b, float t) {
     return slope;
 }
 
-/// The root between `low` and `high`, at which the cubic has different signs and between which it is monotonic: Newton's
-/// steps kept inside a bracket that halves where they leave it. Ends where a step moves by less than 2^-24.
+/// The root between `low` and `high`, at which the cubic has different signs and between which it is monotonic:
+/// Newton's steps kept inside a bracket that halves where they leave it. Ends where a step moves by less than 2^-24.
 SHARED_FUNCTION float refinedRoot(vec4 b, float low, float high, bool positiveAtLow) {
     float t = SHARED_FLOAT(0.5) * (low + high);
     for (int i = 0; i < 40; ++i) {
@@ -56,13 +56,12 @@ struct CubicSignChanges {
     vec3 at;
 };
 
-/// Where the cubic with the Bernstein coefficients b changes its sign inside (0, 1). Signs first: coefficients of one sign
-/// mean none. Otherwise the unit interval is cut where the derivative changes its sign; each piece whose ends differ in sign
-/// holds one root, which is refined. (Isolation at critical points: Yuksel 2022, "High-performance polynomial root finding for
-/// graphics"; the derivative's roots: signChangesOfQuadratic.)
-/// Guarantee: taken piece by piece, the sign that follows from the changes is the cubic's wherever |f| > 2^-18 max |b|. So a pair
-/// of roots between which f stays below that may be missed, and is missed or found as one.
-/// Valid for max |b| from 1e-15 to 1e15.
+/// Where the cubic with the Bernstein coefficients b changes its sign inside (0, 1). Signs first: coefficients of one
+/// sign mean none. Otherwise the unit interval is cut where the derivative changes its sign; each piece whose ends
+/// differ in sign holds one root, which is refined. (Isolation at critical points: Yuksel 2022, "High-performance
+/// polynomial root finding for graphics"; the derivative's roots: signChangesOfQuadratic.) Guarantee: taken piece by
+/// piece, the sign that follows from the changes is the cubic's wherever |f| > 2^-18 max |b|. So a pair of roots
+/// between which f stays below that may be missed, and is missed or found as one. Valid for max |b| from 1e-15 to 1e15.
 SHARED_FUNCTION CubicSignChanges signChangesOfCubic(vec4 b) {
     CubicSignChanges found = CubicSignChanges(0u, vec3(SHARED_FLOAT(0.0)));
     float least = min(min(b.x, b.y), min(b.z, b.w)), most = max(max(b.x, b.y), max(b.z, b.w));
@@ -73,7 +72,8 @@ SHARED_FUNCTION CubicSignChanges signChangesOfCubic(vec4 b) {
     for (uint piece = 0u; piece <= turns.count; ++piece) {
         float end = piece == turns.count ? SHARED_FLOAT(1.0) : (piece == 0u ? turns.first : turns.second);
         float atEnd = piece == turns.count ? b.w : cubicAt(b, end);
-        if ((atBegin > SHARED_FLOAT(0.0) && atEnd < SHARED_FLOAT(0.0)) || (atBegin < SHARED_FLOAT(0.0) && atEnd > SHARED_FLOAT(0.0))) {
+        if ((atBegin > SHARED_FLOAT(0.0) && atEnd < SHARED_FLOAT(0.0)) ||
+            (atBegin < SHARED_FLOAT(0.0) && atEnd > SHARED_FLOAT(0.0))) {
             float root = refinedRoot(b, begin, end, atBegin > SHARED_FLOAT(0.0));
             if (found.count == 0u)
                 found.at.x = root;
@@ -94,7 +94,8 @@ SHARED_FUNCTION CubicSignChanges signChangesOfCubic(vec4 b) {
 
 /// The sign that follows from the changes, at t: 1 or -1.
 SHARED_FUNCTION float signFromChanges(vec4 b, CubicSignChanges changes, float t) {
-    float opening = b.x != SHARED_FLOAT(0.0) ? b.x : (b.y != SHARED_FLOAT(0.0) ? b.y : (b.z != SHARED_FLOAT(0.0) ? b.z : b.w));
+    float opening =
+        b.x != SHARED_FLOAT(0.0) ? b.x : (b.y != SHARED_FLOAT(0.0) ? b.y : (b.z != SHARED_FLOAT(0.0) ? b.z : b.w));
     float side = opening < SHARED_FLOAT(0.0) ? SHARED_FLOAT(-1.0) : SHARED_FLOAT(1.0);
     if (changes.count > 0u && t > changes.at.x) side = -side;
     if (changes.count > 1u && t > changes.at.y) side = -side;

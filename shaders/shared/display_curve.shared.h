@@ -9,7 +9,8 @@ SHARED_BEGIN
 /// transforms). Negative input gives 0.
 SHARED_FUNCTION float filmicCurve(float radiance) {
     float x = max(radiance, SHARED_FLOAT(0.0)) * SHARED_FLOAT(0.6);
-    float y = (x * (SHARED_FLOAT(2.51) * x + SHARED_FLOAT(0.03))) / (x * (SHARED_FLOAT(2.43) * x + SHARED_FLOAT(0.59)) + SHARED_FLOAT(0.14));
+    float y = (x * (SHARED_FLOAT(2.51) * x + SHARED_FLOAT(0.03))) /
+              (x * (SHARED_FLOAT(2.43) * x + SHARED_FLOAT(0.59)) + SHARED_FLOAT(0.14));
     return clamp(y, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
 }
 

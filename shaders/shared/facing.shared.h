@@ -11,18 +11,20 @@ struct SignChanges {
     float first, second;
 };
 
-/// Sign changes inside (0, 1) of the quadratic with the Bernstein coefficients b0, b1, b2: f(t) = b0 (1-t)^2 + 2 b1 t (1-t)
-/// + b2 t^2. Signs first: coefficients of one sign mean none. Then, in s = t / (1-t), where f is b0 + 2 b1 s + b2 s^2, the
-/// root without cancellation q = -(b1 + sgn(b1) sqrt(b1^2 - b0 b2)), s = q / b2 or b0 / q, back as t = q / (q + b2) or
-/// b0 / (b0 + q): sums of two numbers of one sign. Nothing blows up where the leading coefficient b0 - 2 b1 + b2 vanishes.
-/// A double root is no change of sign: none.
-/// Valid for coefficients that are 0 or of a size from 1e-18 to 1e18 (their products have to exist).
-/// Error of a change, for coefficients taken as exact: at most 2^-21 where b0 and b2 differ in sign; for two changes 2^-21 (1 +
-/// b1^2 / D), D = b1^2 - b0 b2: as near as floats can tell two roots that nearly meet.
-/// Source: Kahan 2004, "On the cost of floating-point computation without extra-precise arithmetic"; the projective form is derived here.
+/// Sign changes inside (0, 1) of the quadratic with the Bernstein coefficients b0, b1, b2: f(t) = b0 (1-t)^2 + 2 b1 t
+/// (1-t)
+/// + b2 t^2. Signs first: coefficients of one sign mean none. Then, in s = t / (1-t), where f is b0 + 2 b1 s + b2 s^2,
+/// the root without cancellation q = -(b1 + sgn(b1) sqrt(b1^2 - b0 b2)), s = q / b2 or b0 / q, back as t = q / (q + b2)
+/// or b0 / (b0 + q): sums of two numbers of one sign. Nothing blows up where the leading coefficient b0 - 2 b1 + b2
+/// vanishes. A double root is no change of sign: none. Valid for coefficients that are 0 or of a size from 1e-18 to
+/// 1e18 (their products have to exist). Error of a change, for coefficients taken as exact: at most 2^-21 where b0 and
+/// b2 differ in sign; for two changes 2^-21 (1 + b1^2 / D), D = b1^2 - b0 b2: as near as floats can tell two roots that
+/// nearly meet. Source: Kahan 2004, "On the cost of floating-point computation without extra-precise arithmetic"; the
+/// projective form is derived here.
 SHARED_FUNCTION SignChanges signChangesOfQuadratic(float b0, float b1, float b2) {
     SignChanges none = SignChanges(0u, SHARED_FLOAT(0.0), SHARED_FLOAT(0.0));
-    bool opposite = (b0 > SHARED_FLOAT(0.0) && b2 < SHARED_FLOAT(0.0)) || (b0 < SHARED_FLOAT(0.0) && b2 > SHARED_FLOAT(0.0));
+    bool opposite =
+        (b0 > SHARED_FLOAT(0.0) && b2 < SHARED_FLOAT(0.0)) || (b0 < SHARED_FLOAT(0.0) && b2 > SHARED_FLOAT(0.0));
     // Two changes need the middle coefficient on the other side of both ends.
     bool dips = (b0 > SHARED_FLOAT(0.0) && b1 < SHARED_FLOAT(0.0) && b2 > SHARED_FLOAT(0.0)) ||
                 (b0 < SHARED_FLOAT(0.0) && b1 > SHARED_FLOAT(0.0) && b2 < SHARED_FLOAT(0.0));
@@ -41,11 +43,13 @@ SHARED_FUNCTION SignChanges signChangesOfQuadratic(float b0, float b1, float b2)
         return SignChanges(2u, min(t1, t2), max(t1, t2));
     }
     // An end that is 0 leaves a linear factor: t (2 b1 (1-t) + b2 t), or its mirror image.
-    if (b0 == SHARED_FLOAT(0.0) && ((b1 > SHARED_FLOAT(0.0) && b2 < SHARED_FLOAT(0.0)) || (b1 < SHARED_FLOAT(0.0) && b2 > SHARED_FLOAT(0.0)))) {
+    if (b0 == SHARED_FLOAT(0.0) &&
+        ((b1 > SHARED_FLOAT(0.0) && b2 < SHARED_FLOAT(0.0)) || (b1 < SHARED_FLOAT(0.0) && b2 > SHARED_FLOAT(0.0)))) {
         float twice = SHARED_FLOAT(2.0) * b1;
         return SignChanges(1u, twice / (twice - b2), SHARED_FLOAT(0.0));
     }
-    if (b2 == SHARED_FLOAT(0.0) && ((b1 > SHARED_FLOAT(0.0) && b0 < SHARED_FLOAT(0.0)) || (b1 < SHARED_FLOAT(0.0) && b0 > SHARED_FLOAT(0.0)))) {
+    if (b2 == SHARED_FLOAT(0.0) &&
+        ((b1 > SHARED_FLOAT(0.0) && b0 < SHARED_FLOAT(0.0)) || (b1 < SHARED_FLOAT(0.0) && b0 > SHARED_FLOAT(0.0)))) {
         float twice = SHARED_FLOAT(2.0) * b1;
         return SignChanges(1u, b0 / (b0 - twice), SHARED_FLOAT(0.0));
     }
@@ -59,7 +63,9 @@ SHARED_FUNCTION vec4 positiveIntervals(float b0, float b1, float b2) {
     // The sign before the first change: that of the first coefficient that is not 0.
     float opening = b0 != SHARED_FLOAT(0.0) ? b0 : (b1 != SHARED_FLOAT(0.0) ? b1 : b2);
     bool positive = opening > SHARED_FLOAT(0.0);
-    if (c.count == 0u) return vec4(SHARED_FLOAT(0.0), positive ? SHARED_FLOAT(1.0) : SHARED_FLOAT(0.0), SHARED_FLOAT(0.0), SHARED_FLOAT(0.0));
+    if (c.count == 0u)
+        return vec4(SHARED_FLOAT(0.0), positive ? SHARED_FLOAT(1.0) : SHARED_FLOAT(0.0), SHARED_FLOAT(0.0),
+                    SHARED_FLOAT(0.0));
     if (c.count == 1u)
         return positive ? vec4(SHARED_FLOAT(0.0), c.first, SHARED_FLOAT(0.0), SHARED_FLOAT(0.0))
                         : vec4(c.first, SHARED_FLOAT(1.0), SHARED_FLOAT(0.0), SHARED_FLOAT(0.0));
@@ -67,11 +73,12 @@ SHARED_FUNCTION vec4 positiveIntervals(float b0, float b1, float b2) {
                     : vec4(c.first, c.second, SHARED_FLOAT(0.0), SHARED_FLOAT(0.0));
 }
 
-/// Bernstein coefficients of normal(t) . towardsLight(t) for both linear in t: the receiver faces the light where they are
-/// positive (Palmer's f(t), his section on facing; numerics B.10). The normal is never normalised: a face that turns by half a turn
-/// has none half-way.
+/// Bernstein coefficients of normal(t) . towardsLight(t) for both linear in t: the receiver faces the light where they
+/// are positive (Palmer's f(t), his section on facing; numerics B.10). The normal is never normalised: a face that
+/// turns by half a turn has none half-way.
 SHARED_FUNCTION vec3 facingCoefficients(vec3 normalOpen, vec3 normalClose, vec3 lightOpen, vec3 lightClose) {
-    return vec3(dot(normalOpen, lightOpen), SHARED_FLOAT(0.5) * (dot(normalClose, lightOpen) + dot(normalOpen, lightClose)),
+    return vec3(dot(normalOpen, lightOpen),
+                SHARED_FLOAT(0.5) * (dot(normalClose, lightOpen) + dot(normalOpen, lightClose)),
                 dot(normalClose, lightClose));
 }
 

@@ -18,27 +18,27 @@
 #define LIST_SCAN_BLOCK 1024  // cells that one work group of the scan sees
 
 // Texture units.
-#define TRIANGLE_POSITIONS_UNIT 0   // buffer texture, TRIANGLE_POSITION_TEXELS RGBA32F a triangle
-#define TRIANGLE_SHADING_UNIT 1     // buffer texture, TRIANGLE_SHADING_TEXELS RGBA32F a triangle
-#define SAMPLE_IDS_UNIT 2           // R32UI array, one layer a stratum
-#define VISIBILITY_UNIT 3           // R32F array, one layer a stratum
-#define LARGE_TRIANGLES_UNIT 4      // buffer texture, R32UI: triangles drawn as rectangles
-#define MATERIALS_UNIT 5            // buffer texture, MATERIAL_TEXELS RGBA32F a material
-#define TECHNIQUE_UNIT 6            // the first of a technique's own textures
-#define COLOR_IMAGES_UNIT 10        // 2D array of base colour images, sRGB
-#define DATA_IMAGES_UNIT 11         // 2D array of metallic-roughness images, linear
+#define TRIANGLE_POSITIONS_UNIT 0  // buffer texture, TRIANGLE_POSITION_TEXELS RGBA32F a triangle
+#define TRIANGLE_SHADING_UNIT 1    // buffer texture, TRIANGLE_SHADING_TEXELS RGBA32F a triangle
+#define SAMPLE_IDS_UNIT 2          // R32UI array, one layer a stratum
+#define VISIBILITY_UNIT 3          // R32F array, one layer a stratum
+#define LARGE_TRIANGLES_UNIT 4     // buffer texture, R32UI: triangles drawn as rectangles
+#define MATERIALS_UNIT 5           // buffer texture, MATERIAL_TEXELS RGBA32F a material
+#define TECHNIQUE_UNIT 6           // the first of a technique's own textures
+#define COLOR_IMAGES_UNIT 10       // 2D array of base colour images, sRGB
+#define DATA_IMAGES_UNIT 11        // 2D array of metallic-roughness images, linear
 // Of a lookup that keeps answers from frame to frame; the first two are other passes' own in between.
-#define TOUCHED_UNIT 3              // R8: pixels in which something that moves is seen
-#define KEPT_CELLS_UNIT 4           // RGBA16F: where in the light's map a pixel's samples of what stands still are
-#define REACHED_UNIT 15             // R8UI: cells of that map that something moving may shadow
-#define NEAR_TRIANGLES_UNIT 13      // buffer texture, R32UI: triangles that cross the light's near plane
+#define DYNAMIC_PIXELS_UNIT 3   // R8: pixels in which something that moves is seen
+#define CACHED_CELLS_UNIT 4     // RGBA16F: where in the light's map a pixel's samples of what stands still are
+#define REACHED_UNIT 15         // R8UI: cells of that map that something moving may shadow
+#define NEAR_TRIANGLES_UNIT 13  // buffer texture, R32UI: triangles that cross the light's near plane
 
 #define TRIANGLE_POSITION_TEXELS 5
 #define TRIANGLE_SHADING_TEXELS 6
 #define MATERIAL_TEXELS 3
 #define NO_TRIANGLE 0xffffffffu
-#define REACHED_SIDE 128   // cells along a side of the map
-#define NO_CELL 1024.0     // more than any: where nothing can be shadowed
+#define REACHED_SIDE 128  // cells along a side of the map
+#define NO_CELL 1024.0    // more than any: where nothing can be shadowed
 
 SHARED_BEGIN
 
@@ -48,19 +48,20 @@ struct FrameBlock {
     vec4 lightPositionClose;  // xyz at u = 1
     vec4 cameraPositionOpen;  // xyz: the eye at u = 0
     vec4 cameraPositionClose;
-    vec4 lightDirection;      // xyz: unit, the way light travels (a spot's axis); w: 1 for directional, else 0
-    vec4 lightIntensity;      // rgb: candela or lux, times exposure
-    vec4 lightCone;           // x: cos outer, y: cos inner, z: 1 / (cos inner - cos outer), w: texel width (per distance for a spot)
-    vec4 ambientSky;          // rgb: radiance from above, exposed
-    vec4 ambientGround;       // rgb: radiance from below, exposed
-    vec4 background;          // rgb: what a camera sample that hits nothing sees, exposed
-    float timeBase;           // u of the first stratum's start
-    float timeScale;          // length of a stratum in u
-    uint strata;              // camera samples per pixel
+    vec4 lightDirection;  // xyz: unit, the way light travels (a spot's axis); w: 1 for directional, else 0
+    vec4 lightIntensity;  // rgb: candela or lux, times exposure
+    vec4 lightCone;   // x: cos outer, y: cos inner, z: 1 / (cos inner - cos outer), w: texel width (per distance for a
+                      // spot)
+    vec4 ambientSky;  // rgb: radiance from above, exposed
+    vec4 ambientGround;  // rgb: radiance from below, exposed
+    vec4 background;     // rgb: what a camera sample that hits nothing sees, exposed
+    float timeBase;      // u of the first stratum's start
+    float timeScale;     // length of a stratum in u
+    uint strata;         // camera samples per pixel
     uint seed;
     uvec2 imageSize;
-    uint mapSize;             // texels along a side of the light's map
-    float weight;             // share of this render in the picture: 1 / renders
+    uint mapSize;  // texels along a side of the light's map
+    float weight;  // share of this render in the picture: 1 / renders
 };
 
 /// How vertices become what a rasteriser with a sample in space and time needs: view coordinates (X, Y, Z) that are
@@ -69,11 +70,11 @@ struct FrameBlock {
 struct ViewBlock {
     mat4 viewFromWorldOpen;   // affine, at u = 0
     mat4 viewFromWorldClose;  // affine, at u = 1
-    mat4 raysOpen;            // columns 0..2: the ray of (s, t, 1) in view coordinates at u = 0; identity unless the view turns
+    mat4 raysOpen;  // columns 0..2: the ray of (s, t, 1) in view coordinates at u = 0; identity unless the view turns
     mat4 raysClose;
-    vec2 size;                // pixels or texels
-    float nearDistance;       // perspective: nothing nearer is seen. Orthographic: 0
-    float farDistance;        // orthographic: depth range. Perspective: not used
+    vec2 size;           // pixels or texels
+    float nearDistance;  // perspective: nothing nearer is seen. Orthographic: 0
+    float farDistance;   // orthographic: depth range. Perspective: not used
 };
 
 SHARED_END
@@ -82,5 +83,5 @@ SHARED_END
 namespace timeshade::shared {
 static_assert(sizeof(FrameBlock) == 10 * 16 + 32, "std140 layout changed: fix both readers");
 static_assert(sizeof(ViewBlock) == 4 * 64 + 16, "std140 layout changed: fix both readers");
-}
+}  // namespace timeshade::shared
 #endif

@@ -5,72 +5,72 @@
 
 SHARED_BEGIN
 
-#define MAP_TRIANGLES_UNIT 14    // texture unit: the triangles that this frame's map saw
-#define MOVER_FLAGS_UNIT 15      // buffer texture, R8UI: 1 for every triangle that has moved
-#define RESTS_UNIT 4             // R32UI: until when a pixel rests, and where in the light's map it lies
+#define MAP_TRIANGLES_UNIT 14  // texture unit: the triangles that this frame's map saw
+#define DYNAMIC_FLAGS_UNIT 15  // buffer texture, R8UI: 1 for every triangle that has moved
+#define RETEST_UNIT 4          // R32UI: until when a pixel rests, and where in the light's map it lies
 
-// Of a texel of the history, in one float's 24 bits: the number of its stratum, how often in a row its tests were sure, its age.
+// Of a texel of the history, in one float's 24 bits: the number of its stratum, how often in a row its tests were sure,
+// its age.
 #define HISTORY_STRATUM_BITS 5
 #define HISTORY_SURE_BITS 3
-#define HISTORY_LARGEST_SURE 7u
-#define HISTORY_LARGEST_AGE 65535.0
+#define HISTORY_MAX_SURE 7u
+#define HISTORY_MAX_AGE 65535.0
 
-// A pixel that has learned enough rests: it is asked every second, fourth, ... frame, tile by tile in turn. In one number: the first and the last cell
-// that its samples fall in, of REST_SIDE x REST_SIDE over the light's map plane, 7 bits a coordinate; above them the power of two.
-#define REST_SIDE 128
-#define REST_CELL_BITS 7
-#define REST_PERIOD_SHIFT 28
-#define REST_NEVER_ASKED 15u     // nothing is left to learn
-#define REST_SURE_AFTER 4u       // tests in a row that were sure of every sample;
-#define REST_PERIOD_SURE 5u      // then every thirty-second frame
-#define REST_DOUBT_AFTER 12.0    // tests of which some were not: an edge is near;
-#define REST_PERIOD_DOUBT 4u     // then every sixteenth frame
-#define REST_TILE 8              // pixels along a side that rest together
+// A pixel that has learned enough rests: it is asked every second, fourth, ... frame, tile by tile in turn. In one
+// number: the first and the last cell that its samples fall in, of RETEST_SIDE x RETEST_SIDE over the light's map
+// plane, 7 bits a coordinate; above them the power of two.
+#define RETEST_SIDE 128
+#define RETEST_CELL_BITS 7
+#define RETEST_PERIOD_SHIFT 28
+#define RETEST_NEVER 15u         // nothing is left to learn
+#define RETEST_SURE_AFTER 4u     // tests in a row that were sure of every sample;
+#define RETEST_PERIOD_SURE 5u    // then every thirty-second frame
+#define RETEST_DOUBT_AFTER 12.0  // tests of which some were not: an edge is near;
+#define RETEST_PERIOD_DOUBT 4u   // then every sixteenth frame
+#define RETEST_TILE 8            // pixels along a side that rest together
 
 // Frames' worth of weight, at most; keeps a float's sum exact enough to go on for ever. Twice that stands for proof.
-#define HISTORY_LARGEST_WEIGHT 4096.0
+#define HISTORY_MAX_WEIGHT 4096.0
 #define HISTORY_PROVEN_WEIGHT 8192.0
 
 /// What the shaders of the technique `history` need beside the frame's own blocks.
 struct HistoryBlock {
-    mat4 mapFromPlane;       // 3 x 3: (s, t, 1) of the light's map plane to this frame's map, homogeneous
-    mat4 planeFromMap;       // its inverse
-    mat4 previousRaysOpen;   // columns 0..2: the world's ray of (s, t, 1) of the camera one frame ago, at u = 0
+    mat4 mapFromPlane;      // 3 x 3: (s, t, 1) of the light's map plane to this frame's map, homogeneous
+    mat4 planeFromMap;      // its inverse
+    mat4 previousRaysOpen;  // columns 0..2: the world's ray of (s, t, 1) of the camera one frame ago, at u = 0
     mat4 previousRaysClose;
-    vec4 previousEyeOpen;    // xyz
+    vec4 previousEyeOpen;  // xyz
     vec4 previousEyeClose;
-    float instant;           // u at which the map is drawn
-    float bias;              // texels
-    float slopeBias;         // half texels of slope; as published only
-    float exponent;          // m of equation 6
-    float weightScale;       // turns conf^m into a weight whose mean is 1
-    float memory;            // the most frames' worth of weight that the past may bring
-    float sharpness;         // factor on the distance from one half of what is shown
-    float threshold;         // of the distance from the camera: a past farther off its surface is another's
+    float instant;      // u at which the map is drawn
+    float bias;         // texels
+    float slopeBias;    // half texels of slope; as published only
+    float exponent;     // m of equation 6
+    float weightScale;  // turns conf^m into a weight whose mean is 1
+    float memory;       // the most frames' worth of weight that the past may bring
+    float sharpness;    // factor on the distance from one half of what is shown
+    float threshold;    // of the distance from the camera: a past farther off its surface is another's
     uint pcfRadius;
     uint asPublished;
-    uint hasPast;            // 0: nothing of the history may be used
-    uint triesTriangles;     // 1: the triangles that the map saw are tried against the receiver's own ray
-    uint keepsProof;         // 1: what is proven dark stays so until something moves
-    float moverMaskSize;     // texels along a side of the mask of moving casters; 0: no mask
-    uint awaitsProof;        // 1: and there is time to find it, so that an edge that is missed means lit
-    uint mayRest;            // 1: what has learned enough is not asked in every frame
-    uint round;              // frames since the camera came to rest
-    uint framesDue;          // of resting pixels those are asked whose turn is in one of so many frames
+    uint hasPast;           // 0: nothing of the history may be used
+    uint triesTriangles;    // 1: the triangles that the map saw are tried against the receiver's own ray
+    uint keepsProof;        // 1: what is proven dark stays so until something moves
+    float dynamicMaskSize;  // texels along a side of the mask of moving casters; 0: no mask
+    uint awaitsProof;       // 1: and there is time to find it, so that an edge that is missed means lit
+    uint mayConverge;       // 1: what has learned enough is not asked in every frame
+    uint round;             // frames since the camera came to rest
+    uint framesDue;         // of resting pixels those are asked whose turn is in one of so many frames
     uint padding0, padding1;
 };
 
-/// Equation 5 of Scherzer, Jeschke, Wimmer 2007: 1 where the point falls on a texel's centre, 0 on a texel's border, by the
-/// max norm. `position` in texels, with texel i from i to i + 1.
+/// Equation 5 of Scherzer, Jeschke, Wimmer 2007: 1 where the point falls on a texel's centre, 0 on a texel's border, by
+/// the max norm. `position` in texels, with texel i from i to i + 1.
 SHARED_FUNCTION float shadowTestConfidence(vec2 position) {
     vec2 fromCentre = abs(fract(position) - SHARED_FLOAT(0.5));
     return SHARED_FLOAT(1.0) - SHARED_FLOAT(2.0) * max(fromCentre.x, fromCentre.y);
 }
 
 /// Equation 6, conf^m. Over evenly spread positions its mean is 2 / ((m + 1) (m + 2)).
-SHARED_FUNCTION float confidenceWeight(float confidence, float m) {
-    return pow(max(confidence, SHARED_FLOAT(0.0)), m);
-}
+SHARED_FUNCTION float confidenceWeight(float confidence, float m) { return pow(max(confidence, SHARED_FLOAT(0.0)), m); }
 
 /// What makes the mean weight 1 whatever m is, so that sums over frames with different m weigh all frames alike.
 SHARED_FUNCTION float confidenceWeightScale(float m) {

@@ -15,15 +15,17 @@ SHARED_FUNCTION vec3 edgeFunctions(vec2 q0, vec2 q1, vec2 q2) {
     return vec3(q1.x * q2.y - q1.y * q2.x, q2.x * q0.y - q2.y * q0.x, q0.x * q1.y - q0.y * q1.x);
 }
 
-/// How fast the depth dot(e, z) / (e.x + e.y + e.z), e = edgeFunctions(q0, q1, q2), changes at a fixed image position: q_i move at the rates
-/// r_i, the vertices' depths z at the rates zRate. That is the depth that a map's texel sees, not that of a material point: a
-/// slope that slides along itself has the rate 0. Its relative error is that of the edge functions over their sum: without bound
-/// for a triangle that the ray only grazes, so that callers hold it to what the vertices' depths allow.
+/// How fast the depth dot(e, z) / (e.x + e.y + e.z), e = edgeFunctions(q0, q1, q2), changes at a fixed image position:
+/// q_i move at the rates r_i, the vertices' depths z at the rates zRate. That is the depth that a map's texel sees, not
+/// that of a material point: a slope that slides along itself has the rate 0. Its relative error is that of the edge
+/// functions over their sum: without bound for a triangle that the ray only grazes, so that callers hold it to what the
+/// vertices' depths allow.
 SHARED_FUNCTION float depthRateAtPlace(vec2 q0, vec2 q1, vec2 q2, vec2 r0, vec2 r1, vec2 r2, vec3 z, vec3 zRate) {
     vec3 e = edgeFunctions(q0, q1, q2);
     float sum = e.x + e.y + e.z;
     vec3 below = z - dot(e, z) / sum;
-    vec3 eRate = vec3(r1.x * q2.y - r1.y * q2.x + q1.x * r2.y - q1.y * r2.x, r2.x * q0.y - r2.y * q0.x + q2.x * r0.y - q2.y * r0.x,
+    vec3 eRate = vec3(r1.x * q2.y - r1.y * q2.x + q1.x * r2.y - q1.y * r2.x,
+                      r2.x * q0.y - r2.y * q0.x + q2.x * r0.y - q2.y * r0.x,
                       r0.x * q1.y - r0.y * q1.x + q0.x * r1.y - q0.y * r1.x);
     return (dot(eRate, below) + dot(e, zRate)) / sum;
 }

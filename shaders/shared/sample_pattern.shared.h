@@ -6,13 +6,13 @@
 SHARED_BEGIN
 
 #define SALT_CAMERA 0x00000000u  // which view a pattern is drawn for: no two share their random numbers
-#define SALT_LIGHT  0x9e3779b9u
+#define SALT_LIGHT 0x9e3779b9u
 
 /// x, y: position inside the pixel, in [0, 1). z: position inside the stratum of time, in [0, 1).
 /// x, y: per pixel a random shift (Cranley and Patterson 1976), over k an additive recurrence, the plane's R2 sequence
-/// (steps 1/g and 1/g^2 with g^3 = g + 1). z: independent per pixel and stratum, as plain stratified sampling wants it: a
-/// recurrence over k would tie strata to each other (a golden-ratio step all but repeats after 13).
-/// So one sample lies in every stratum of time, a pixel's samples are spread evenly in space, and pixels are independent.
+/// (steps 1/g and 1/g^2 with g^3 = g + 1). z: independent per pixel and stratum, as plain stratified sampling wants it:
+/// a recurrence over k would tie strata to each other (a golden-ratio step all but repeats after 13). So one sample
+/// lies in every stratum of time, a pixel's samples are spread evenly in space, and pixels are independent.
 SHARED_FUNCTION vec3 samplePattern(uvec2 pixel, uint k, uint seed, uint salt) {
     // The seed is mixed beforehand: words that differ in high bits alone, hashWords leaves nearly as they were.
     uvec3 shift = hashWords(uvec3(pixel.x, pixel.y, hashWord(seed ^ salt)));

@@ -17,34 +17,36 @@ SHARED_FUNCTION vec3 vertexFromReceiver(vec3 open, vec3 close, float u, vec3 rec
     return v;
 }
 
-/// Twice det[direction, a, b]: on which side of the edge from a to b a ray from the origin passes. Swapping a and b flips the
-/// sign exactly, so triangles that share an edge leave no gap between them. (b + a) x (b - a) is twice a x b, but keeps
-/// its precision for short edges far away, where the products of a x b cancel (Pluecker coordinates as Embree's
-/// robust triangle test takes them; Davidovic, Engelhardt, Georgiev, Slusallek, Dachsbacher 2012, "3D rasterization").
-/// Error: at most 9 * 2^-24 times the sum of the sizes of the six products of the components of b + a, b - a, direction.
+/// Twice det[direction, a, b]: on which side of the edge from a to b a ray from the origin passes. Swapping a and b
+/// flips the sign exactly, so triangles that share an edge leave no gap between them. (b + a) x (b - a) is twice a x b,
+/// but keeps its precision for short edges far away, where the products of a x b cancel (Pluecker coordinates as
+/// Embree's robust triangle test takes them; Davidovic, Engelhardt, Georgiev, Slusallek, Dachsbacher 2012, "3D
+/// rasterization"). Error: at most 9 * 2^-24 times the sum of the sizes of the six products of the components of b + a,
+/// b - a, direction.
 SHARED_FUNCTION float edgeSide(vec3 direction, vec3 a, vec3 b) {
     SHARED_PRECISE vec3 sum = b + a;
     SHARED_PRECISE vec3 difference = b - a;
-    SHARED_PRECISE vec3 normal = vec3(sum.y * difference.z - sum.z * difference.y, sum.z * difference.x - sum.x * difference.z,
-                                      sum.x * difference.y - sum.y * difference.x);
+    SHARED_PRECISE vec3 normal =
+        vec3(sum.y * difference.z - sum.z * difference.y, sum.z * difference.x - sum.x * difference.z,
+             sum.x * difference.y - sum.y * difference.x);
     SHARED_PRECISE float side = normal.x * direction.x + normal.y * direction.y + normal.z * direction.z;
     return side;
 }
 
 /// Does the segment from the receiver (the origin) to the light (`toLight`) meet the triangle, whose vertices are given
-/// relative to the receiver, at a relative distance in (1e-5, 1)? Triangles are closed (edges count) and have no back; one
-/// in a common plane with the segment, or without area, is not met. A hit lies on one side of all three edges; its
+/// relative to the receiver, at a relative distance in (1e-5, 1)? Triangles are closed (edges count) and have no back;
+/// one in a common plane with the segment, or without area, is not met. A hit lies on one side of all three edges; its
 /// distance is W / V, W = v0 . n, V = toLight . n with the normal n of two edges, compared without a division.
 ///
-/// `planeSlack` >= 0, in world units: a receiver that is not farther than this from the triangle's plane is taken to lie
-/// in it and is not shadowed by it. The triangle that the receiver lies on is the caller's to leave out, by its
+/// `planeSlack` >= 0, in world units: a receiver that is not farther than this from the triangle's plane is taken to
+/// lie in it and is not shadowed by it. The triangle that the receiver lies on is the caller's to leave out, by its
 /// number; its neighbours in the same plane need this rule, because a rounded receiver lies as often beyond the
 /// common edge as not. 2^-21 times the largest coordinate covers a receiver and vertices that were rounded once each;
 /// 0 switches the rule off, and leaves 1e-5 of the way to the light, which suffices unless light grazes.
 ///
 /// Valid while all lengths lie between 1e-9 and 1e9, whatever their ratio: no product overflows or is lost. Any NaN or
-/// infinity among the inputs: no hit. Decides as exact arithmetic would unless an edge side is within its bound above of 0,
-/// or W within 2^-20 times the sum of the sizes of its products, and of those of V, of an end of the interval.
+/// infinity among the inputs: no hit. Decides as exact arithmetic would unless an edge side is within its bound above
+/// of 0, or W within 2^-20 times the sum of the sizes of its products, and of those of V, of an end of the interval.
 SHARED_FUNCTION bool segmentMeetsTriangle(vec3 toLight, vec3 v0, vec3 v1, vec3 v2, float planeSlack) {
     float e0 = edgeSide(toLight, v1, v2);
     float e1 = edgeSide(toLight, v2, v0);

@@ -7,7 +7,7 @@ SHARED_BEGIN
 
 /// Where in the image a moving triangle may be seen during an interval of time.
 struct SweptBounds {
-    vec2 low;      // image position, [0, 1] covers the image; low > high where nothing can be seen
+    vec2 low;  // image position, [0, 1] covers the image; low > high where nothing can be seen
     vec2 high;
     uint crosses;  // 1: the triangle reaches behind the eye
 };
@@ -53,8 +53,10 @@ SHARED_FUNCTION SweptBounds boundsOfExtremes(HomogeneousExtremes x) {
 
 /// Bounds of a triangle whose view coordinates go linearly from a_i to b_i, for a view that does not turn: a path
 /// that is linear in (X, Y, Z) stays in the hull of its ends.
-SHARED_FUNCTION SweptBounds sweptBoundsPerspective(vec3 a0, vec3 a1, vec3 a2, vec3 b0, vec3 b1, vec3 b2, float nearDistance) {
-    HomogeneousExtremes x = addHomogeneousPoint(addHomogeneousPoint(addHomogeneousPoint(noHomogeneousPoints(), a0), a1), a2);
+SHARED_FUNCTION SweptBounds sweptBoundsPerspective(vec3 a0, vec3 a1, vec3 a2, vec3 b0, vec3 b1, vec3 b2,
+                                                   float nearDistance) {
+    HomogeneousExtremes x =
+        addHomogeneousPoint(addHomogeneousPoint(addHomogeneousPoint(noHomogeneousPoints(), a0), a1), a2);
     SweptBounds bounds = boundsOfExtremes(addHomogeneousPoint(addHomogeneousPoint(addHomogeneousPoint(x, b0), b1), b2));
     if (!(max(max(max(a0.z, a1.z), max(a2.z, b0.z)), max(b1.z, b2.z)) > nearDistance)) {
         bounds.low = vec2(1);  // all of it nearer than anything that is seen
@@ -85,13 +87,16 @@ SHARED_FUNCTION HomogeneousExtremes addTurningVertex(HomogeneousExtremes x, vec3
     vec3 z1 = SHARED_FLOAT(0.5) * (cross(colA0, colB1) + cross(colB0, colA1));
     float two = SHARED_FLOAT(2.0), third = SHARED_FLOAT(1.0) / SHARED_FLOAT(3.0);
     x = addHomogeneousPoint(x, vec3(dot(x0, va), dot(y0, va), dot(z0, va)));
-    x = addHomogeneousPoint(x, (vec3(dot(x0, vb), dot(y0, vb), dot(z0, vb)) + two * vec3(dot(x1, va), dot(y1, va), dot(z1, va))) * third);
-    x = addHomogeneousPoint(x, (vec3(dot(x2, va), dot(y2, va), dot(z2, va)) + two * vec3(dot(x1, vb), dot(y1, vb), dot(z1, vb))) * third);
+    x = addHomogeneousPoint(
+        x, (vec3(dot(x0, vb), dot(y0, vb), dot(z0, vb)) + two * vec3(dot(x1, va), dot(y1, va), dot(z1, va))) * third);
+    x = addHomogeneousPoint(
+        x, (vec3(dot(x2, va), dot(y2, va), dot(z2, va)) + two * vec3(dot(x1, vb), dot(y1, vb), dot(z1, vb))) * third);
     return addHomogeneousPoint(x, vec3(dot(x2, vb), dot(y2, vb), dot(z2, vb)));
 }
 
 /// Bounds for a view that turns by less than half a circle.
-SHARED_FUNCTION SweptBounds sweptBoundsTurning(vec3 a0, vec3 a1, vec3 a2, vec3 b0, vec3 b1, vec3 b2, mat4 raysA, mat4 raysB) {
+SHARED_FUNCTION SweptBounds sweptBoundsTurning(vec3 a0, vec3 a1, vec3 a2, vec3 b0, vec3 b1, vec3 b2, mat4 raysA,
+                                               mat4 raysB) {
     HomogeneousExtremes x = addTurningVertex(noHomogeneousPoints(), a0, b0, raysA, raysB);
     x = addTurningVertex(addTurningVertex(x, a1, b1, raysA, raysB), a2, b2, raysA, raysB);
     return boundsOfExtremes(x);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #define SHARED_FUNCTION inline
-#define SHARED_BEGIN namespace timeshade::shared { using namespace glm;
+#define SHARED_BEGIN              \
+    namespace timeshade::shared { \
+    using namespace glm;
 #define SHARED_END }
 #define SHARED_FLOAT(x) x##f
 #define SHARED_PRECISE  // the C++ side is compiled without contraction as a whole

@@ -1,7 +1,7 @@
 // Is drawing the camera samples slower than tracing them? The sample pass of the built-in scenes against Embree's
 // motion-blurred primary rays for the very same camera samples, on the same cores: packets of eight, all threads,
-// scene built once and not counted, interleaved frame by frame. Prints medians and their ratio, and checks that both see
-// the same triangles. Exit code 1 when the ratio is above 1.
+// scene built once and not counted, interleaved frame by frame. Prints medians and their ratio, and checks that both
+// see the same triangles. Exit code 1 when the ratio is above 1.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -13,7 +13,7 @@
 #include "frame/frame_renderer.h"
 #include "frame_setup.h"
 #include "make_context.h"
-#include "measure/embree_peer.h"
+#include "measure/embree_baseline.h"
 #include "report.h"
 #include "scene_catalogue.h"
 
@@ -58,7 +58,7 @@ double compare(FrameRenderer& renderer, const std::string& name, int rounds) {
     Options options;
     const FramePlan plan = planner.plan(requestFor(options, *scene));
     NoShadow none;
-    EmbreePeer rays(plan);
+    EmbreeBaseline rays(plan);
     std::vector<double> drawn, made, traced;
     for (int round = -2; round < rounds; ++round) {  // two rounds to warm up
         const double a = sampleMilliseconds(renderer, plan, none);
@@ -78,19 +78,20 @@ double compare(FrameRenderer& renderer, const std::string& name, int rounds) {
     std::size_t different = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) different += ids[i] != tracedIds[i] ? 1u : 0u;
     const double ratio = median(drawn) / median(traced);
-    fmt::print("{:<9} {:>6} triangles  {:>7.1f} ms  {:>7.1f} ms  {:>7.1f} ms  {:>5.2f}   {:>7.1f} ppm differ\n", name, plan.motion.triangles,
-               median(drawn), median(traced), median(made), ratio, 1e6 * static_cast<double>(different) / static_cast<double>(ids.size()));
+    fmt::print("{:<9} {:>6} triangles  {:>7.1f} ms  {:>7.1f} ms  {:>7.1f} ms  {:>5.2f}   {:>7.1f} ppm differ\n", name,
+               plan.motion.triangles, median(drawn), median(traced), median(made), ratio,
+               1e6 * static_cast<double>(different) / static_cast<double>(ids.size()));
     return ratio;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argumentCount, char** arguments) {
     const int rounds = argumentCount > 1 ? std::max(1, std::atoi(arguments[1])) : 11;
     const std::unique_ptr<GlContext> context = makeContext({}, false);
     FrameRenderer renderer;
-    fmt::print("{}, {} threads; 640 x 480, 8 samples per pixel; medians of {} interleaved rounds\n", deviceLine(renderer.device()),
-               std::thread::hardware_concurrency(), rounds);
+    fmt::print("{}, {} threads; 640 x 480, 8 samples per pixel; medians of {} interleaved rounds\n",
+               deviceLine(renderer.device()), std::thread::hardware_concurrency(), rounds);
     fmt::print("{:<9} {:>16}  {:>10}  {:>10}  {:>10}  {:>5}\n", "scene", "", "drawn", "Embree", "its rays", "ratio");
     double worst = 0.0;
     for (const BuiltInScene& scene : showcase()) worst = std::max(worst, compare(renderer, scene.name, rounds));

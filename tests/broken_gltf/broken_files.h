@@ -51,7 +51,8 @@ inline std::vector<BrokenFile> brokenContainers() {
     ByteList badLength = whole;
     badLength[8] = 4;
     badLength[9] = badLength[10] = badLength[11] = 0;
-    std::string deep = R"({"asset":{"version":"2.0"},"extras":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
+    std::string deep =
+        R"({"asset":{"version":"2.0"},"extras":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
     const std::string text = fileWithEverything().json.dump();
     return {
         {"empty", "is empty", {}},
@@ -64,7 +65,8 @@ inline std::vector<BrokenFile> brokenContainers() {
         {"chunk past the end", "chunk goes past the end", badChunk},
         {"length of 4", "length of 4 bytes", badLength},
         {"bad JSON in a container", "nor valid JSON", GltfFile::container("{\"asset\":", {})},
-        {"truncated text", "nor valid JSON", ByteList(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.size() / 2))},
+        {"truncated text", "nor valid JSON",
+         ByteList(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.size() / 2))},
         {"JSON is a list", "not an object", GltfFile::container("[1]", {})},
         {"no asset", "no \"asset\"", GltfFile::container("{}", {})},
         {"glTF 1", "version \"1.0\"", GltfFile::container(R"({"asset":{"version":"1.0"}})", {})},
@@ -78,7 +80,8 @@ inline std::vector<BrokenFile> brokenContainers() {
 inline std::vector<BrokenFile> brokenIndices() {
     std::vector<BrokenFile> files;
     const auto set = [&](const char* pointer, const Json& value, const char* expected) {
-        files.push_back({std::string(pointer) + " = " + value.dump(), expected, changed([&](GltfFile& f) { at(f, pointer) = value; })});
+        files.push_back({std::string(pointer) + " = " + value.dump(), expected,
+                         changed([&](GltfFile& f) { at(f, pointer) = value; })});
     };
     set("/scene", 7, "scene 7");
     set("/scenes/0/nodes/0", 99, "node 99");
@@ -127,7 +130,8 @@ inline std::vector<BrokenFile> brokenIndices() {
 inline std::vector<BrokenFile> brokenReferences() {
     std::vector<BrokenFile> files;
     const auto set = [&](const char* pointer, const Json& value, const char* expected) {
-        files.push_back({std::string(pointer) + " = " + value.dump(), expected, changed([&](GltfFile& f) { at(f, pointer) = value; })});
+        files.push_back({std::string(pointer) + " = " + value.dump(), expected,
+                         changed([&](GltfFile& f) { at(f, pointer) = value; })});
     };
     set("/skins/0/joints/0", 99, "node 99");
     set("/skins/0/joints", Json::array(), "no joints");
@@ -140,7 +144,8 @@ inline std::vector<BrokenFile> brokenReferences() {
     set("/animations/0/samplers/0/interpolation", "BEZIER", "BEZIER");
     set("/textures/0/source", 9, "image 9");
     set("/materials/0/pbrMetallicRoughness/baseColorTexture/index", 9, "texture 9");
-    set("/extensionsRequired", Json::array({"KHR_draco_mesh_compression"}), "needs the glTF extension KHR_draco_mesh_compression, which is not supported (supported: ");
+    set("/extensionsRequired", Json::array({"KHR_draco_mesh_compression"}),
+        "needs the glTF extension KHR_draco_mesh_compression, which is not supported (supported: ");
     set("/extensionsRequired", Json::array({"VENDOR_secret\nline"}), "VENDOR_secret line");
     set("/extensionsRequired", Json::array({5}), "not a name");
     set("/buffers", Json::array({{{"byteLength", 100'000'000}}}), "needs 100000000 bytes");
@@ -164,17 +169,32 @@ inline std::vector<BrokenFile> brokenContents() {
     add("NaN position", "not finite", [&](GltfFile& f) { poke(f, 0, 4, nan); });
     add("infinite position", "not finite", [&](GltfFile& f) { poke(f, 0, 4, infinity); });
     add("position of 1e30", "beyond", [&](GltfFile& f) { poke(f, 0, 4, 1e30f); });
-    add("NaN morph", "not finite", [&](GltfFile& f) { poke(f, accessorOf(f, "/meshes/0/primitives/0/targets/0/POSITION"), 1, nan); });
+    add("NaN morph", "not finite",
+        [&](GltfFile& f) { poke(f, accessorOf(f, "/meshes/0/primitives/0/targets/0/POSITION"), 1, nan); });
     add("index beyond the vertices", "index 4 is beyond", [&](GltfFile& f) { poke<std::uint16_t>(f, 1, 2, 4); });
     add("index 65535", "beyond", [&](GltfFile& f) { poke<std::uint16_t>(f, 1, 0, 65535); });
-    add("NaN weight", "not finite", [&](GltfFile& f) { poke(f, accessorOf(f, "/meshes/1/primitives/0/attributes/WEIGHTS_0"), 0, nan); });
-    add("joint beyond the skin", "follows joint 200", [&](GltfFile& f) { poke<std::uint8_t>(f, accessorOf(f, "/meshes/1/primitives/0/attributes/JOINTS_0"), 0, 200); });
-    add("float joints", "not allowed", [&](GltfFile& f) { at(f, "/meshes/1/primitives/0/attributes/JOINTS_0") = at(f, "/meshes/1/primitives/0/attributes/WEIGHTS_0"); });
-    add("NaN inverse bind matrix", "not finite", [&](GltfFile& f) { poke(f, accessorOf(f, "/skins/0/inverseBindMatrices"), 5, nan); });
-    add("too few inverse bind matrices", "1 inverse bind matrices for 2 joints", [](GltfFile& f) { at(f, "/skins/0/joints") = {1, 0}; });
-    add("fewer weights than vertices", "elements for", [](GltfFile& f) { at(f, "/meshes/1/primitives/0/attributes/WEIGHTS_0") = f.vec4s({1, 0, 0, 0}); });
-    add("fewer normals than vertices", "elements for", [](GltfFile& f) { at(f, "/meshes/0/primitives/0/attributes/NORMAL") = f.vec3s({0, 0, 1}); });
-    add("shorter morph target", "elements for", [](GltfFile& f) { at(f, "/meshes/0/primitives/0/targets/0/POSITION") = f.vec3s({0, 0, 1}); });
+    add("NaN weight", "not finite",
+        [&](GltfFile& f) { poke(f, accessorOf(f, "/meshes/1/primitives/0/attributes/WEIGHTS_0"), 0, nan); });
+    add("joint beyond the skin", "follows joint 200", [&](GltfFile& f) {
+        poke<std::uint8_t>(f, accessorOf(f, "/meshes/1/primitives/0/attributes/JOINTS_0"), 0, 200);
+    });
+    add("float joints", "not allowed", [&](GltfFile& f) {
+        at(f, "/meshes/1/primitives/0/attributes/JOINTS_0") = at(f, "/meshes/1/primitives/0/attributes/WEIGHTS_0");
+    });
+    add("NaN inverse bind matrix", "not finite",
+        [&](GltfFile& f) { poke(f, accessorOf(f, "/skins/0/inverseBindMatrices"), 5, nan); });
+    add("too few inverse bind matrices", "1 inverse bind matrices for 2 joints", [](GltfFile& f) {
+        at(f, "/skins/0/joints") = {1, 0};
+    });
+    add("fewer weights than vertices", "elements for", [](GltfFile& f) {
+        at(f, "/meshes/1/primitives/0/attributes/WEIGHTS_0") = f.vec4s({1, 0, 0, 0});
+    });
+    add("fewer normals than vertices", "elements for", [](GltfFile& f) {
+        at(f, "/meshes/0/primitives/0/attributes/NORMAL") = f.vec3s({0, 0, 1});
+    });
+    add("shorter morph target", "elements for", [](GltfFile& f) {
+        at(f, "/meshes/0/primitives/0/targets/0/POSITION") = f.vec3s({0, 0, 1});
+    });
     add("morph weights without targets", "morph weights", [](GltfFile& f) { at(f, "/meshes/0/weights") = {1, 2, 3}; });
     add("primitives with different targets", "different numbers of morph targets", [](GltfFile& f) {
         Json plain = at(f, "/meshes/0/primitives/0");
@@ -185,10 +205,16 @@ inline std::vector<BrokenFile> brokenContents() {
     add("equal key times", "do not increase", [&](GltfFile& f) { poke(f, input(f, 0), 1, 0.0f); });
     add("NaN key time", "not finite", [&](GltfFile& f) { poke(f, input(f, 0), 1, nan); });
     add("negative key time", "before 0", [&](GltfFile& f) { poke(f, input(f, 0), 0, -1.0f); });
-    add("NaN key value", "not finite", [&](GltfFile& f) { poke(f, accessorOf(f, "/animations/0/samplers/0/output"), 2, nan); });
-    add("too few key values", "numbers for 3 keys", [](GltfFile& f) { at(f, "/animations/0/samplers/0/output") = f.vec3s({0, 0, 0}); });
-    add("spline without tangents", "numbers for 2 keys, expected 6", [](GltfFile& f) { at(f, "/animations/0/samplers/2/output") = f.scalars({0, 1}); });
-    add("translation from a rotation's keys", "components", [](GltfFile& f) { at(f, "/animations/0/samplers/0/output") = at(f, "/animations/0/samplers/1/output"); });
+    add("NaN key value", "not finite",
+        [&](GltfFile& f) { poke(f, accessorOf(f, "/animations/0/samplers/0/output"), 2, nan); });
+    add("too few key values", "numbers for 3 keys", [](GltfFile& f) {
+        at(f, "/animations/0/samplers/0/output") = f.vec3s({0, 0, 0});
+    });
+    add("spline without tangents", "numbers for 2 keys, expected 6", [](GltfFile& f) {
+        at(f, "/animations/0/samplers/2/output") = f.scalars({0, 1});
+    });
+    add("translation from a rotation's keys", "components",
+        [](GltfFile& f) { at(f, "/animations/0/samplers/0/output") = at(f, "/animations/0/samplers/1/output"); });
     return files;
 }
 
@@ -210,7 +236,9 @@ inline std::vector<BrokenFile> brokenShapes() {
         const auto view = f.json["accessors"].size();
         for (std::size_t i = 0; i < view; ++i)
             if (f.json["accessors"][i].contains("sparse"))
-                f.data[f.json["bufferViews"][f.json["accessors"][i]["sparse"]["indices"]["bufferView"].get<std::size_t>()]["byteOffset"].get<std::size_t>()] = 9;
+                f.data[f.json["bufferViews"][f.json["accessors"][i]["sparse"]["indices"]["bufferView"]
+                                                 .get<std::size_t>()]["byteOffset"]
+                           .get<std::size_t>()] = 9;
     });
     add("more sparse values than elements", "sparse", [](GltfFile& f) {
         for (Json& accessor : f.json["accessors"])
@@ -252,4 +280,4 @@ inline std::vector<BrokenFile> brokenShapes() {
     return files;
 }
 
-} // namespace timeshade::test
+}  // namespace timeshade::test

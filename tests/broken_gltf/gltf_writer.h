@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 namespace timeshade::test {
 
@@ -22,7 +22,8 @@ class TemporaryFolder {
   public:
     TemporaryFolder() {
         static int count = 0;
-        path_ = std::filesystem::temp_directory_path() / ("timeshade-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+        path_ = std::filesystem::temp_directory_path() /
+                ("timeshade-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
         std::filesystem::create_directories(path_);
     }
     ~TemporaryFolder() {
@@ -34,7 +35,8 @@ class TemporaryFolder {
 
     const std::filesystem::path& path() const { return path_; }
     std::filesystem::path write(const std::string& name, const ByteList& bytes) const {
-        std::ofstream(path_ / name, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        std::ofstream(path_ / name, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
         return path_ / name;
     }
     std::filesystem::path write(const std::string& name, const std::string& text) const {
@@ -69,8 +71,10 @@ struct GltfFile {
                                   : std::is_same_v<Number, std::int16_t>  ? 5122
                                   : std::is_same_v<Number, std::uint8_t>  ? 5121
                                                                           : 5120;
-        Json accessor = {{"bufferView", addView(numbers.data(), numbers.size() * sizeof(Number))}, {"componentType", componentType},
-                         {"count", numbers.size() / static_cast<std::size_t>(components)}, {"type", type}};
+        Json accessor = {{"bufferView", addView(numbers.data(), numbers.size() * sizeof(Number))},
+                         {"componentType", componentType},
+                         {"count", numbers.size() / static_cast<std::size_t>(components)},
+                         {"type", type}};
         if (normalized) accessor["normalized"] = true;
         return add("accessors", accessor);
     }
@@ -92,16 +96,20 @@ struct GltfFile {
         return index;
     }
     /// Adds a channel to animation 0.
-    void animate(int node, const char* path, const std::vector<float>& times, int output, const char* interpolation = "LINEAR") {
+    void animate(int node, const char* path, const std::vector<float>& times, int output,
+                 const char* interpolation = "LINEAR") {
         Json& animation = json["animations"][0];
-        animation["samplers"].push_back({{"input", scalars(times)}, {"output", output}, {"interpolation", interpolation}});
-        animation["channels"].push_back({{"sampler", animation["samplers"].size() - 1}, {"target", {{"node", node}, {"path", path}}}});
+        animation["samplers"].push_back(
+            {{"input", scalars(times)}, {"output", output}, {"interpolation", interpolation}});
+        animation["channels"].push_back(
+            {{"sampler", animation["samplers"].size() - 1}, {"target", {{"node", node}, {"path", path}}}});
     }
 
     /// JSON and buffer as one .glb. A "buffers" section that is already there is kept.
     ByteList glb() const {
         Json whole = json;
-        if (!whole.contains("buffers") && !data.empty()) whole["buffers"] = Json::array({{{"byteLength", data.size()}}});
+        if (!whole.contains("buffers") && !data.empty())
+            whole["buffers"] = Json::array({{{"byteLength", data.size()}}});
         return container(whole.dump(), data);
     }
     static ByteList container(std::string text, ByteList binary) {
@@ -109,7 +117,8 @@ struct GltfFile {
         while (binary.size() % 4 != 0) binary.push_back(0);
         ByteList bytes;
         const auto word = [&](std::size_t value) {
-            for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>((value >> shift) & 0xffu));
+            for (unsigned shift = 0; shift < 32; shift += 8)
+                bytes.push_back(static_cast<std::uint8_t>((value >> shift) & 0xffu));
         };
         word(0x46546c67u);
         word(2);
@@ -124,7 +133,8 @@ struct GltfFile {
         return bytes;
     }
     /// The buffer as a file beside the .gltf.
-    std::filesystem::path saveSplit(const TemporaryFolder& folder, const std::string& name, const std::string& uri) const {
+    std::filesystem::path saveSplit(const TemporaryFolder& folder, const std::string& name,
+                                    const std::string& uri) const {
         Json whole = json;
         whole["buffers"] = Json::array({{{"byteLength", data.size()}, {"uri", uri}}});
         return folder.write(name, whole.dump());
@@ -146,7 +156,8 @@ inline const char* const onePixelPng =
 inline GltfFile fileWithEverything() {
     GltfFile file;
     const int quad = addQuad(file);
-    file.json["meshes"][0]["primitives"][0]["targets"] = Json::array({{{"POSITION", file.vec3s(std::vector<float>(12, 0.5f))}}});
+    file.json["meshes"][0]["primitives"][0]["targets"] =
+        Json::array({{{"POSITION", file.vec3s(std::vector<float>(12, 0.5f))}}});
     file.json["meshes"][0]["weights"] = {0.25};
     file.json["meshes"][0]["primitives"][0]["material"] = 0;
     file.add("images", {{"uri", std::string("data:image/png;base64,") + onePixelPng}});
@@ -167,14 +178,16 @@ inline GltfFile fileWithEverything() {
     file.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}});
     file.addRoot({{"name", "eye"}, {"camera", 0}, {"translation", {0, 0, 5}}});
     file.json["extensionsUsed"] = {"KHR_lights_punctual"};
-    file.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({{{"type", "spot"}, {"intensity", 100}, {"spot", Json::object()}}});
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] =
+        Json::array({{{"type", "spot"}, {"intensity", 100}, {"spot", Json::object()}}});
     file.addRoot({{"translation", {0, 3, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
 
     const int sparse = file.vec3s(std::vector<float>(12, 0.0f));
     const std::vector<std::uint8_t> places{1, 2};
     const std::vector<float> values{1, 0, 2, 1, 1, 2};
     file.json["accessors"][static_cast<std::size_t>(sparse)]["sparse"] = {
-        {"count", 2}, {"indices", {{"bufferView", file.addView(places.data(), 2)}, {"componentType", 5121}}},
+        {"count", 2},
+        {"indices", {{"bufferView", file.addView(places.data(), 2)}, {"componentType", 5121}}},
         {"values", {{"bufferView", file.addView(values.data(), 24)}}}};
     file.addRoot({{"mesh", file.addMesh({{"POSITION", sparse}}, 1)}});
 
@@ -184,4 +197,4 @@ inline GltfFile fileWithEverything() {
     return file;
 }
 
-} // namespace timeshade::test
+}  // namespace timeshade::test

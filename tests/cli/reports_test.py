@@ -103,7 +103,7 @@ class Lists(ProgramTest):
         self.assertEqual((view.width, final.height), (final.width, 48))
         self.assertGreater(view.height, final.height + 20, "a scale stands below")
         report = json.loads((self.folder / "view.json").read_text())
-        self.assertEqual([f["value"] for f in report["figures"] if f["name"] == "moving triangles"], [480])
+        self.assertEqual([f["value"] for f in report["figures"] if f["name"] == "dynamic triangles"], [480])
         text = self.succeed("shot", "cubes", "-o", "again.png", *arguments, "--explain")
         self.assertRegex(text, r"(?m)^counted +moving triangles: 480$")
         # The values themselves, not their colours: counts per sample, the same in all channels.

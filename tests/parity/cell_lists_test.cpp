@@ -1,4 +1,5 @@
-// Count, scan, fill against a sort on the CPU: every entry is in its own cell's list once, at every awkward number of cells.
+// Count, scan, fill against a sort on the CPU: every entry is in its own cell's list once, at every awkward number of
+// cells.
 #include "passes/cell_lists.h"
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "gl/growing_buffer.h"
-#include "scene/error.h"
 #include "shared/frame_blocks.shared.h"
 #include "shared/hash.shared.h"
 #include "support/gl_environment.h"
@@ -53,7 +54,8 @@ void insert(const InsertProgram& program, std::size_t count, bool filling) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void expectSorted(CellLists& lists, const InsertProgram& program, std::size_t cells, const std::vector<GLuint>& cellOf) {
+void expectSorted(CellLists& lists, const InsertProgram& program, std::size_t cells,
+                  const std::vector<GLuint>& cellOf) {
     const gl::Buffer input("cells of entries", std::span<const GLuint>(cellOf));
     gl::GrowingBuffer entries("entries", GL_R32UI);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, input.name());
@@ -84,7 +86,9 @@ TEST(CellLists, HoldEveryEntryOnce) {
         for (const std::size_t entries : {1u, 63u, 5000u, 120000u}) {
             std::vector<GLuint> cellOf(entries);
             // Half of them crowd into a few cells.
-            for (GLuint i = 0; i < entries; ++i) cellOf[i] = shared::hashWord(i ^ 0x1234u) % static_cast<GLuint>(i % 2 == 0 ? cells : std::min<std::size_t>(cells, 7));
+            for (GLuint i = 0; i < entries; ++i)
+                cellOf[i] = shared::hashWord(i ^ 0x1234u) %
+                            static_cast<GLuint>(i % 2 == 0 ? cells : std::min<std::size_t>(cells, 7));
             SCOPED_TRACE(testing::Message() << cells << " cells, " << entries << " entries");
             expectSorted(lists, program, cells, cellOf);
         }
@@ -111,7 +115,8 @@ TEST(GrowingBuffer, GrowsAndNamesTheLimitThatItMeets) {
         buffer.reserve(static_cast<std::size_t>(largest) / 16 + 1, "lower --map");
         FAIL() << "was granted";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), std::string::npos)
+            << error.what();
         EXPECT_NE(std::string(error.what()).find("lower --map"), std::string::npos) << error.what();
     }
     EXPECT_EQ(buffer.bytes(), before) << "a refusal costs nothing";
@@ -135,5 +140,5 @@ TEST(GrowingBuffer, GivesBackWhatIsNeededNoMore) {
     EXPECT_EQ(buffer.bytes(), small) << "what fits well is left alone";
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

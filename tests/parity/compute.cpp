@@ -35,12 +35,13 @@ class ComputeProgram : public gl::Object<gl::DeleteProgram> {
 
 constexpr unsigned groupSize = 64;
 
-} // namespace
+}  // namespace
 
 std::vector<std::uint32_t> runOnGpu(const std::string& header, const std::string& body, const std::vector<float>& input,
                                     unsigned inputsPerItem, unsigned outputsPerItem) {
     const auto items = static_cast<unsigned>(input.size() / inputsPerItem);
-    const std::string text = gl::readShader(header, {}).text + fmt::format(R"(
+    const std::string text =
+        gl::readShader(header, {}).text + fmt::format(R"(
 layout(local_size_x = {0}) in;
 layout(std430, binding = 0) readonly buffer Inputs {{ float inputs[]; }};
 layout(std430, binding = 1) writeonly buffer Outputs {{ uint outputs[]; }};
@@ -56,7 +57,7 @@ void main() {{
     {4}
 }}
 )",
-                                                                           groupSize, items, inputsPerItem, outputsPerItem, body);
+                                                      groupSize, items, inputsPerItem, outputsPerItem, body);
     const ComputeProgram program(text);
     const gl::Buffer in("parity inputs", std::span<const float>(input));
     std::vector<std::uint32_t> output(static_cast<std::size_t>(items) * outputsPerItem);
@@ -66,7 +67,8 @@ void main() {{
     glUseProgram(program.name());
     glDispatchCompute((items + groupSize - 1) / groupSize, 1, 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glGetNamedBufferSubData(out.name(), 0, static_cast<GLsizeiptr>(output.size() * sizeof(std::uint32_t)), output.data());
+    glGetNamedBufferSubData(out.name(), 0, static_cast<GLsizeiptr>(output.size() * sizeof(std::uint32_t)),
+                            output.data());
     glUseProgram(0);
     return output;
 }
@@ -81,4 +83,4 @@ std::uint64_t ulpsApart(float a, float b) {
     return static_cast<std::uint64_t>(difference < 0 ? -difference : difference);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -13,11 +13,12 @@ gl::ProgramDescription scanStep(const char* step) {
 
 TEST(ProgramCache, DropsWhatWasAskedForLongestAgo) {
     gl::ProgramCache cache;
-    const GLuint first = cache.get(scanStep("0")).name(), second = cache.get(scanStep("1")).name(), third = cache.get(scanStep("2")).name();
+    const GLuint first = cache.get(scanStep("0")).name(), second = cache.get(scanStep("1")).name(),
+                 third = cache.get(scanStep("2")).name();
     EXPECT_EQ(cache.get(scanStep("0")).name(), first) << "built twice";
-    cache.keepLatest(3);
+    cache.keepNewest(3);
     EXPECT_EQ(cache.size(), 3u);
-    cache.keepLatest(2);
+    cache.keepNewest(2);
     EXPECT_EQ(cache.size(), 2u);
     EXPECT_TRUE(glIsProgram(first) && glIsProgram(third));
     EXPECT_FALSE(glIsProgram(second));
@@ -26,5 +27,5 @@ TEST(ProgramCache, DropsWhatWasAskedForLongestAgo) {
     EXPECT_EQ(cache.size(), 3u);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

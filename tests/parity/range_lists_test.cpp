@@ -1,15 +1,16 @@
-// The lists of the technique `ranges` under random prisms: closed surfaces, the same bytes every time, memory as foretold.
+// The lists of the technique `ranges` under random prisms: closed surfaces, the same bytes every time, memory as
+// foretold.
 #include <gtest/gtest.h>
 
-#include "support/moving_scene.h"
 #include "support/gl_environment.h"
+#include "support/moving_scene.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
 namespace {
 
 double figure(const Technique& technique, const std::string& name) {
-    for (const TechniqueFigure& f : technique.figures())
+    for (const TechniqueStatistic& f : technique.statistics())
         if (f.name == name) return f.value;
     throw std::logic_error("no figure " + name);
 }
@@ -21,21 +22,22 @@ std::unique_ptr<Technique> ranges(bool asPublished) {
 }
 
 void draw(ProceduralScene& scene, Technique& technique, int mapSize) {
-    sharedRenderer().draw(FramePlanner(scene).plan(ProceduralScene::request(32, 24, 4, mapSize, 1)), technique, View::Visibility);
+    sharedRenderer().draw(FramePlanner(scene).plan(ProceduralScene::request(32, 24, 4, mapSize, 1)), technique,
+                          View::Visibility);
 }
 
-/// The surface of a prism is closed and its vertices are shared to the last bit: a texel sees an even number of its triangles,
-/// whatever they are.
-TEST(RangeLists, NoPrismLeavesAnOddCount) {
+/// The surface of a prism is closed and its vertices are shared to the last bit: a texel sees an even number of its
+/// triangles, whatever they are.
+TEST(RangeLists, NoPrismLeavesAnUnpairedFragment) {
     const int mapSize = 160;
     double pairs = 0.0, fragments = 0.0;
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const auto scene = makeMovingScene({.quads = 120, .seed = seed, .directionalLight = seed % 2 == 0});
         const std::unique_ptr<Technique> repaired = ranges(false);
         draw(*scene, *repaired, mapSize);
-        EXPECT_EQ(figure(*repaired, "odd lists"), 0.0) << "seed " << seed;
+        EXPECT_EQ(figure(*repaired, "lists with unpaired fragments"), 0.0) << "seed " << seed;
         EXPECT_EQ(figure(*repaired, "near-plane triangles"), 0.0);
-        pairs += figure(*repaired, "moving triangles") * mapSize * mapSize;
+        pairs += figure(*repaired, "dynamic triangles") * mapSize * mapSize;
         fragments += figure(*repaired, "fragments");
         EXPECT_EQ(figure(*repaired, "ranges") * 2.0, figure(*repaired, "fragments"));
     }
@@ -66,12 +68,13 @@ TEST(RangeLists, TakeTheMemoryThatEquationTwoForetells) {
             const auto scene = makeMovingScene({.quads = 200, .seed = 6});
             const std::unique_ptr<Technique> technique = ranges(asPublished);
             draw(*scene, *technique, mapSize);
-            const double foretold = figure(*technique, "memory by equation 2"), held = static_cast<double>(technique->bytes());
+            const double foretold = figure(*technique, "memory by equation 2"),
+                         held = static_cast<double>(technique->bytes());
             EXPECT_NEAR(held / foretold, 1.0, 0.05) << (asPublished ? "published" : "repaired") << ", map " << mapSize;
             EXPECT_GT(figure(*technique, "fragments"), 1e5);
         }
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

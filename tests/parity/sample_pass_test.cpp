@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "support/moving_scene.h"
 #include "scene_catalogue.h"
 #include "shared/sample_pattern.shared.h"
 #include "support/gl_environment.h"
+#include "support/moving_scene.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -25,7 +25,8 @@ Ray rayOf(const FramePlan& plan, unsigned x, unsigned y, unsigned k) {
     const glm::vec3 pattern = shared::samplePattern({x, y}, k, plan.block.seed, SALT_CAMERA);
     Ray ray;
     ray.u = static_cast<double>(shared::sampleTime(plan.block.timeBase, plan.block.timeScale, k, pattern.z));
-    const double s = (x + static_cast<double>(pattern.x)) / plan.request.width, t = (y + static_cast<double>(pattern.y)) / plan.request.height;
+    const double s = (x + static_cast<double>(pattern.x)) / plan.request.width,
+                 t = (y + static_cast<double>(pattern.y)) / plan.request.height;
     const ViewEnd &a = plan.camera.open, &b = plan.camera.close;
     ray.eye = glm::mix(a.eye, b.eye, ray.u);
     ray.direction = glm::mix(a.corner + s * a.right + t * a.up, b.corner + s * b.right + t * b.up, ray.u);
@@ -36,7 +37,7 @@ struct Hit {
     double distance = 1e300;
     double margin = -1e300;  ///< the least barycentric coordinate: negative outside
     bool front = false;
-    bool crossed = false;    ///< the ray meets the triangle's plane in front of the eye
+    bool crossed = false;  ///< the ray meets the triangle's plane in front of the eye
 };
 
 Hit intersect(const FramePlan& plan, std::uint32_t triangle, const Ray& ray) {
@@ -45,7 +46,8 @@ Hit intersect(const FramePlan& plan, std::uint32_t triangle, const Ray& ray) {
         return glm::mix(plan.mesh->positionsOpen[i], plan.mesh->positionsClose[i], ray.u) - plan.origin - ray.eye;
     };
     const dvec3 a = vertex(index.x), b = vertex(index.y), c = vertex(index.z);
-    const dvec3 e(glm::dot(ray.direction, glm::cross(b, c)), glm::dot(ray.direction, glm::cross(c, a)), glm::dot(ray.direction, glm::cross(a, b)));
+    const dvec3 e(glm::dot(ray.direction, glm::cross(b, c)), glm::dot(ray.direction, glm::cross(c, a)),
+                  glm::dot(ray.direction, glm::cross(a, b)));
     const double sum = e.x + e.y + e.z;
     Hit hit;
     if (sum == 0.0) return hit;
@@ -84,14 +86,16 @@ void judge(const FramePlan& plan, const Ray& ray, std::uint32_t named, const std
         ++tally.hits;
         const Hit hit = intersect(plan, named, ray);
         named_distance = hit.distance;
-        wrong = !visible(plan, named, hit) || hit.margin < -edgeMargin || hit.distance < nearDistance * (1.0 - depthMargin);
+        wrong =
+            !visible(plan, named, hit) || hit.margin < -edgeMargin || hit.distance < nearDistance * (1.0 - depthMargin);
         doubtful = hit.margin < edgeMargin;
     }
     for (std::uint32_t other = 0; other < plan.mesh->topology->triangles.size(); ++other) {
         if (other == named) continue;
         const Hit hit = intersect(plan, other, ray);
         if (hit.margin < -edgeMargin || !visible(plan, other, hit)) continue;
-        if (hit.distance < nearDistance * (1.0 - depthMargin) || hit.distance > named_distance * (1.0 + depthMargin)) continue;
+        if (hit.distance < nearDistance * (1.0 - depthMargin) || hit.distance > named_distance * (1.0 + depthMargin))
+            continue;
         const bool clearly = hit.margin > edgeMargin && hit.distance > nearDistance * (1.0 + depthMargin) &&
                              hit.distance < named_distance * (1.0 - depthMargin);
         wrong = wrong || clearly;
@@ -114,7 +118,8 @@ Tally compare(const FramePlan& plan) {
         for (unsigned y = 0; y < height; ++y)
             for (unsigned x = 0; x < width; ++x)
                 judge(plan, rayOf(plan, x, y, k), ids[at++],
-                      "pixel " + std::to_string(x) + ", " + std::to_string(y) + ", stratum " + std::to_string(k), tally);
+                      "pixel " + std::to_string(x) + ", " + std::to_string(y) + ", stratum " + std::to_string(k),
+                      tally);
     return tally;
 }
 
@@ -145,7 +150,9 @@ TEST(SamplePass, ManyStrataAndAnotherSeed) {
 }
 
 TEST(SamplePass, TurningCamera) {
-    expectTrue(compareMoving({.quads = 60, .seed = 13, .cameraTurns = true}, ProceduralScene::request(160, 120, 4, 16, 1)), 0.2);
+    expectTrue(
+        compareMoving({.quads = 60, .seed = 13, .cameraTurns = true}, ProceduralScene::request(160, 120, 4, 16, 1)),
+        0.2);
 }
 
 TEST(SamplePass, TrianglesAroundTheEye) {
@@ -175,7 +182,7 @@ TEST(SamplePass, SmallTrianglesOfARealScene) {
     request.frame = scene->defaults().frame;
     request.shutter = {scene->defaults().framesPerSecond, scene->defaults().shutterLength, ShutterPosition::Start};
     const FramePlan plan = FramePlanner(*scene).plan(request);
-    EXPECT_GT(plan.camera.still.small.size() + plan.camera.moving.small.size(), 100u);
+    EXPECT_GT(plan.camera.staticTriangles.small.size() + plan.camera.dynamicTriangles.small.size(), 100u);
     expectTrue(compare(plan), 0.2);
 }
 
@@ -190,10 +197,10 @@ TEST(SamplePass, TheJudgeSeesMistakes) {
             judge(plan, ray, (x + 7 * y) % 120, "", another);
         }
     }
-    EXPECT_GT(nothing.wrong, 200u);   // wherever there is something
+    EXPECT_GT(nothing.wrong, 200u);  // wherever there is something
     EXPECT_LT(nothing.wrong, 1200u);
     EXPECT_GT(another.wrong, 1100u);  // nearly everywhere
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

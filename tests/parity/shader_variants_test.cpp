@@ -2,6 +2,7 @@
 // drivers forgive much that the language does not allow.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -12,10 +13,9 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 
-#include "support/moving_scene.h"
 #include "support/gl_environment.h"
+#include "support/moving_scene.h"
 #include "support/striped_technique.h"
 #include "techniques/registry.h"
 
@@ -24,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every combination of a technique's switches, with each of its whole numbers of few values varied in turn (the others at their
-/// defaults), or all together where that makes few. What else there is are uniforms; the number of renders is the least, since it changes
-/// no shader.
+/// Every combination of a technique's switches, with each of its whole numbers of few values varied in turn (the others
+/// at their defaults), or all together where that makes few. What else there is are uniforms; the number of renders is
+/// the least, since it changes no shader.
 void forEveryCombination(Technique& technique, const std::function<void()>& draw) {
     std::vector<Setting> switches, numbers;
     std::size_t together = 1;
@@ -65,8 +65,9 @@ void drawNextFrame(FrameRenderer& renderer, FramePlanner& planner, const std::st
     for (; request.frame < 2.0; request.frame += 1.0) renderer.draw(planner.plan(request), *technique, View::Final);
 }
 
-/// Frames with a camera that stands: beside something that moves, with and without what the sample pass keeps, and where nothing does.
-void drawStillCamera(FrameRenderer& renderer, const ProceduralScene& scene, const std::string& name) {
+/// Frames with a camera that stands: beside something that moves, with and without what the sample pass keeps, and
+/// where nothing does.
+void drawStaticCamera(FrameRenderer& renderer, const ProceduralScene& scene, const std::string& name) {
     FramePlanner planner(scene);
     FrameRequest request = ProceduralScene::request(16, 12, 2, 16, 1);
     request.cameraPose = scene.cameraOpen;
@@ -74,7 +75,7 @@ void drawStillCamera(FrameRenderer& renderer, const ProceduralScene& scene, cons
         for (const bool keeps : {true, false}) {
             const std::unique_ptr<Technique> technique = makeTechnique(name, renderer.programs());
             request.shutter.length = shutter;
-            request.keeps = keeps;
+            request.useCaches = keeps;
             for (int frame = 0; frame < 5; ++frame) {
                 request.frame = shutter > 0.0 ? frame : 0.0;
                 renderer.draw(planner.plan(request), *technique, View::Visibility);
@@ -83,11 +84,12 @@ void drawStillCamera(FrameRenderer& renderer, const ProceduralScene& scene, cons
 }
 
 /// A moment that is drawn again, with something that stands still: what a lookup keeps, and what it asks anew.
-void drawKept() {
+void drawOntoCached() {
     FrameRenderer& renderer = sharedRenderer();
     for (const bool directional : {false, true}) {
         ProceduralScene scene;
-        scene.quads = {slidingQuad({0, 0, 0}, {0, 0, 0}, 4, -4, 4), slidingQuad({0, 0, 2}, {0.3, 0, 2}, 0.5, -0.5, 0.5)};
+        scene.quads = {slidingQuad({0, 0, 0}, {0, 0, 0}, 4, -4, 4),
+                       slidingQuad({0, 0, 2}, {0.3, 0, 2}, 0.5, -0.5, 0.5)};
         scene.lightOpen.kind = directional ? LightKind::Directional : LightKind::Spot;
         scene.lightOpen.position = {0, 0, 10};
         scene.lightClose = scene.lightOpen;
@@ -95,13 +97,13 @@ void drawKept() {
         scene.finish();
         FramePlanner planner(scene);
         const FramePlan plan = planner.plan(ProceduralScene::request(16, 12, 2, 16, 1));
-        ASSERT_NE(plan.still.lit, 0u);
+        ASSERT_NE(plan.versions.lit, 0u);
         for (const TechniqueDescription& description : techniqueDescriptions()) {
             const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
             forEveryCombination(*technique, [&] {
                 for (int again = 0; again < 3; ++again) renderer.draw(plan, *technique, View::Visibility);
             });
-            if (technique->warmUpFrames() > 0) drawStillCamera(renderer, scene, description.name);
+            if (technique->warmUpFrames() > 0) drawStaticCamera(renderer, scene, description.name);
         }
     }
 }
@@ -110,7 +112,8 @@ void drawKept() {
 void drawEverything() {
     FrameRenderer& renderer = sharedRenderer();
     StripedTechnique striped;  // a view, whether or not any technique has one
-    renderer.draw(FramePlanner(*makeMovingScene({.quads = 1})).plan(ProceduralScene::request(16, 12, 1, 16, 1)), striped, View::Final, "columns");
+    renderer.draw(FramePlanner(*makeMovingScene({.quads = 1})).plan(ProceduralScene::request(16, 12, 1, 16, 1)),
+                  striped, View::Final, "columns");
     renderer.readPicture();
     for (const bool turns : {false, true}) {
         for (const bool directional : {false, true}) {
@@ -168,7 +171,8 @@ class Workplace {
         std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
         if (pipe == nullptr) return verdict;
         std::array<char, 4096> part;
-        for (std::size_t count; (count = std::fread(part.data(), 1, part.size(), pipe)) > 0;) verdict.words.append(part.data(), count);
+        for (std::size_t count; (count = std::fread(part.data(), 1, part.size(), pipe)) > 0;)
+            verdict.words.append(part.data(), count);
         verdict.good = pclose(pipe) == 0;
         return verdict;
     }
@@ -206,9 +210,11 @@ TEST(ShaderVariants, TheValidatorIsThereAndRefuses) {
     ASSERT_TRUE(verdict.good) << "glslangValidator does not run: " << verdict.words;
     EXPECT_FALSE(workplace.validate({{"vert", wrong}}).good);
     // An input that no stage before writes is seen only when they are linked.
-    const std::string orphan = "#version 450 core\nflat in uint x;\nlayout(location = 0) out uint y;\nvoid main() { y = x; }\n";
+    const std::string orphan =
+        "#version 450 core\nflat in uint x;\nlayout(location = 0) out uint y;\nvoid main() { y = x; }\n";
     EXPECT_TRUE(workplace.validate({{"frag", orphan}}).good);
-    const std::string other = "#version 450 core\nflat out vec2 x;\nvoid main() { x = vec2(0.0); gl_Position = vec4(1.0); }\n";
+    const std::string other =
+        "#version 450 core\nflat out vec2 x;\nvoid main() { x = vec2(0.0); gl_Position = vec4(1.0); }\n";
     EXPECT_FALSE(workplace.validate({{"vert", other}, {"frag", orphan}}).good);
 }
 
@@ -219,7 +225,8 @@ void everyProgramOfEveryFrameIsValid() {
         if (!checked.insert(nameOf(program)).second) continue;
         std::vector<std::pair<std::string, std::string>> stages;
         for (const std::string& path : program.stages())
-            stages.emplace_back(fs::path(path).extension().string().substr(1), gl::readShader(path, program.defines).text);
+            stages.emplace_back(fs::path(path).extension().string().substr(1),
+                                gl::readShader(path, program.defines).text);
         const Verdict verdict = workplace.validate(stages);
         EXPECT_TRUE(verdict.good) << nameOf(program) << "\n" << verdict.words;
     }
@@ -233,7 +240,9 @@ void theFramesDrawnHadEveryVariant() {
         std::ostringstream all;
         if (found != variants.end())
             for (const std::string& one : found->second) all << "  {" << one << "}\n";
-        EXPECT_TRUE(found != variants.end() && found->second.count(defines) > 0) << file << " {" << defines << "} is missing of\n" << all.str();
+        EXPECT_TRUE(found != variants.end() && found->second.count(defines) > 0)
+            << file << " {" << defines << "} is missing of\n"
+            << all.str();
     };
     const auto joined = [](std::vector<std::string> defines) {
         defines.erase(std::remove(defines.begin(), defines.end(), ""), defines.end());
@@ -247,15 +256,18 @@ void theFramesDrawnHadEveryVariant() {
             for (const std::string radius : {"0", "1", "2", "3"})
                 has("passes/shadow_map_lookup.frag", joined({turns, orthographic, "PCF_RADIUS=" + radius}));
             if (turns.empty())
-                has("techniques/exact/lookup.frag", joined({orthographic, "KEEP_STILL=1", "STILL_CASTERS_ALONE=1", "MOVING_TRIANGLES=1", "STILL_TRIANGLES=1"}));
-            for (const std::string bias : {"", "DYNAMIC_BIAS=1"}) has("techniques/tsm/lookup.frag", joined({turns, orthographic, bias, "MOVING_CASTERS=1"}));
+                has("techniques/exact/lookup.frag", joined({orthographic, "CACHE_STATIC=1", "STATIC_CASTERS_ONLY=1",
+                                                            "DYNAMIC_TRIANGLES=1", "STATIC_TRIANGLES=1"}));
+            for (const std::string bias : {"", "DYNAMIC_BIAS=1"})
+                has("techniques/tsm/lookup.frag", joined({turns, orthographic, bias, "DYNAMIC_CASTERS=1"}));
         }
         for (const std::string view : {"", "VIEW_VISIBILITY=1"}) has("passes/shade.frag", joined({turns, view}));
     }
     for (const std::string cover : {"passes/stochastic_points.vert", "passes/stochastic_rectangles.vert"}) {
         for (const std::string turns : {"", "VIEW_TURNS=1"}) has(cover, joined({"OUTPUT_ID=1", turns}));
         for (const std::string orthographic : {"", "VIEW_ORTHOGRAPHIC=1"})
-            for (const std::string output : {"", "OUTPUT_DEPTH_VELOCITY=1"}) has(cover, joined({"VIEW_LIGHT=1", orthographic, output}));
+            for (const std::string output : {"", "OUTPUT_DEPTH_VELOCITY=1"})
+                has(cover, joined({"VIEW_LIGHT=1", orthographic, output}));
     }
     for (const std::string orthographic : {"", "LIGHT_ORTHOGRAPHIC=1"}) has("passes/shadow_map.vert", orthographic);
 }
@@ -277,11 +289,11 @@ void noShaderFileIsLeftOut() {
 /// One test, since drawing it all is what takes long.
 TEST(ShaderVariants, AreValidCompleteAndLeaveNoFileOut) {
     drawEverything();
-    drawKept();
+    drawOntoCached();
     everyProgramOfEveryFrameIsValid();
     theFramesDrawnHadEveryVariant();
     noShaderFileIsLeftOut();
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

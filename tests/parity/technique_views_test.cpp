@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "core/error.h"
 #include "measure/view_scale.h"
-#include "support/moving_scene.h"
 #include "report.h"
-#include "scene/error.h"
 #include "shared/heat_color.shared.h"
 #include "support/gl_environment.h"
+#include "support/moving_scene.h"
 #include "support/striped_technique.h"
 #include "techniques/registry.h"
 
@@ -18,7 +18,8 @@ namespace {
 constexpr int width = 16, height = 8;
 
 FramePlan smallPlan() {
-    static const std::unique_ptr<ProceduralScene> scene = makeMovingScene({.quads = 4, .seed = 3});  // the plan points into it
+    static const std::unique_ptr<ProceduralScene> scene =
+        makeMovingScene({.quads = 4, .seed = 3});  // the plan points into it
     return FramePlanner(*scene).plan(ProceduralScene::request(width, height, 2, 16, 1));
 }
 
@@ -43,8 +44,10 @@ TEST(TechniqueViews, ShowWhatTheTechniqueDraws) {
                 const auto at = static_cast<std::size_t>(3 * (y * width + x));  // rows from the top
                 const bool nothing = y >= height / 2;
                 const float value = nothing ? -1.0f : static_cast<float>(x);
-                const glm::vec3 color = nothing ? shared::heatNothing()
-                                                : shared::heatColor(shared::heatShare(value, static_cast<float>(view.low), static_cast<float>(view.high), view.logarithmic));
+                const glm::vec3 color =
+                    nothing ? shared::heatNothing()
+                            : shared::heatColor(shared::heatShare(value, static_cast<float>(view.low),
+                                                                  static_cast<float>(view.high), view.logarithmic));
                 for (std::size_t c = 0; c < 3; ++c) {
                     EXPECT_EQ(values.rgb[at + c], value);
                     EXPECT_NEAR(picture.rgb[at + c], eightBitsOf(color)[c], 1) << x << ", " << y;
@@ -69,16 +72,19 @@ TEST(TechniqueViews, UnknownOnesAreRefusedInOneLine) {
         return "";
     };
     const std::string line = refusal(striped, "rows");
-    for (const char* word : {"rows", "striped", "columns", "powers", "visibility"}) EXPECT_NE(line.find(word), std::string::npos) << line;
+    for (const char* word : {"rows", "striped", "columns", "powers", "visibility"})
+        EXPECT_NE(line.find(word), std::string::npos) << line;
     EXPECT_NE(refusal(*plain, "columns").find("static has none of its own"), std::string::npos);
 }
 
-TEST(TechniqueViews, FiguresReachTheReport) {
+TEST(TechniqueViews, StatisticsReachTheReport) {
     StripedTechnique technique;
     FrameRenderer& renderer = sharedRenderer();
     const FramePlan plan = smallPlan();
     renderer.draw(plan, technique, View::Final, "columns");
-    EXPECT_EQ(countedInWords(technique), "counted         samples: 2 a pixel\ncounted         odd lists: 12,345\nbeware          the picture may be wrong there\n");
+    EXPECT_EQ(countedInWords(technique),
+              "counted         samples: 2 a pixel\ncounted         odd lists: 12,345\nbeware          the picture may "
+              "be wrong there\n");
 }
 
 TEST(TechniqueViews, TheScaleHasItsNumbers) {
@@ -96,14 +102,18 @@ TEST(TechniqueViews, TheScaleHasItsNumbers) {
     EXPECT_EQ(scaled.width, 100);
     EXPECT_GT(scaled.height, 30);
     EXPECT_TRUE(std::equal(picture.rgb.begin(), picture.rgb.end(), scaled.rgb.begin()));
-    withScale({3, 1, std::vector<std::uint8_t>(9, 7)}, {"v", "V", "ranges", 0.0, 1.0, false});  // narrower than any number
+    withScale({3, 1, std::vector<std::uint8_t>(9, 7)},
+              {"v", "V", "ranges", 0.0, 1.0, false});  // narrower than any number
 }
 
 TEST(TechniqueViews, ColoursGrowLighterEvenly) {
     // CIE 1976 lightness of the encoded colour: another measure than the one that the colours are made with.
     const auto lightness = [](const glm::vec3& color) {
         const auto linear = [](double e) { return e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4); };
-        return 116.0 * std::cbrt(0.2126 * linear(static_cast<double>(color.x)) + 0.7152 * linear(static_cast<double>(color.y)) + 0.0722 * linear(static_cast<double>(color.z))) - 16.0;
+        return 116.0 * std::cbrt(0.2126 * linear(static_cast<double>(color.x)) +
+                                 0.7152 * linear(static_cast<double>(color.y)) +
+                                 0.0722 * linear(static_cast<double>(color.z))) -
+               16.0;
     };
     double before = lightness(shared::heatNothing());
     const double first = lightness(shared::heatColor(0.0f)), last = lightness(shared::heatColor(1.0f));
@@ -117,5 +127,5 @@ TEST(TechniqueViews, ColoursGrowLighterEvenly) {
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -1,6 +1,6 @@
-// The shared numerics under more than twenty million random and awkward inputs a run: floats against double precision and,
-// where that is in doubt, against exact arithmetic. Plain loops for the volume; RapidCheck, which shrinks what fails to
-// something small, on top.
+// The shared numerics under more than twenty million random and awkward inputs a run: floats against double precision
+// and, where that is in doubt, against exact arithmetic. Plain loops for the volume; RapidCheck, which shrinks what
+// fails to something small, on top.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -27,7 +27,8 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-/// Runs `check(numbers, i)` count times on two threads with inputs of their own, until one says no. Returns its index or -1.
+/// Runs `check(numbers, i)` count times on two threads with inputs of their own, until one says no. Returns its index
+/// or -1.
 template <typename Check>
 long firstFailure(long count, std::uint32_t seed, const Check& check) {
     long failed[2] = {-1, -1};
@@ -58,7 +59,8 @@ bool edgeIsWithinItsBound(AwkwardNumbers& numbers) {
     const SegmentAndTriangle s = awkwardSegmentAndTriangle(numbers);
     const float side = shared::edgeSide(s.toLight, s.v[0], s.v[1]);
     const Bounded truth = edgeOf(dvec3(s.toLight), dvec3(s.v[0]), dvec3(s.v[1]));
-    return side == -shared::edgeSide(s.toLight, s.v[1], s.v[0]) && std::abs(static_cast<double>(side) - truth.value) <= truth.error;
+    return side == -shared::edgeSide(s.toLight, s.v[1], s.v[0]) &&
+           std::abs(static_cast<double>(side) - truth.value) <= truth.error;
 }
 
 /// Whether the header leaves the decision open.
@@ -69,8 +71,10 @@ bool segmentIsOpen(const SegmentAndTriangle& s) {
     const dvec3 a = v1 - v0, b = v2 - v0, n = glm::cross(a, b), x = glm::abs(a), y = glm::abs(b);
     const dvec3 sizes(x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x);
     const double plane = glm::dot(n, v0), through = glm::dot(n, l);
-    const double planeError = std::ldexp(glm::dot(sizes, glm::abs(v0)), -20), throughError = std::ldexp(glm::dot(sizes, glm::abs(l)), -20);
-    return std::abs(through) <= throughError + 1e-30 || std::abs(std::abs(plane) - std::abs(through)) <= planeError + throughError + 1e-30 ||
+    const double planeError = std::ldexp(glm::dot(sizes, glm::abs(v0)), -20),
+                 throughError = std::ldexp(glm::dot(sizes, glm::abs(l)), -20);
+    return std::abs(through) <= throughError + 1e-30 ||
+           std::abs(std::abs(plane) - std::abs(through)) <= planeError + throughError + 1e-30 ||
            std::abs(std::abs(plane) - 1e-5 * std::abs(through)) <= planeError + 1e-5 * throughError + 1e-30;
 }
 
@@ -96,18 +100,21 @@ bool latticeIsDecidedExactly(AwkwardNumbers& numbers) {
 
 // ---- quadratics
 
-double bernstein(double b0, double b1, double b2, double t) { return b0 * (1 - t) * (1 - t) + 2 * b1 * t * (1 - t) + b2 * t * t; }
+double bernstein(double b0, double b1, double b2, double t) {
+    return b0 * (1 - t) * (1 - t) + 2 * b1 * t * (1 - t) + b2 * t * t;
+}
 
 vec3 awkwardQuadratic(AwkwardNumbers& numbers) {
     const float b0 = numbers.coordinate(), b2 = numbers.coordinate();
     float b1 = numbers.coordinate();
     switch (numbers.below(8)) {
     case 0: b1 = numbers.near(std::copysign(std::sqrt(std::abs(b0 * b2)), -b0)); break;  // a double root, nearly
-    case 1: b1 = numbers.near(0.5f * (b0 + b2)); break;                                   // no leading coefficient
+    case 1: b1 = numbers.near(0.5f * (b0 + b2)); break;                                  // no leading coefficient
     case 2: return {b0, numbers.near(0.0f), b2};
     default: break;
     }
-    const float scale = numbers.oneIn(8) ? std::exp2(static_cast<float>(static_cast<int>(numbers.below(60)) - 30)) : 1.0f;
+    const float scale =
+        numbers.oneIn(8) ? std::exp2(static_cast<float>(static_cast<int>(numbers.below(60)) - 30)) : 1.0f;
     return scale * vec3(b0, b1, b2);
 }
 
@@ -117,13 +124,18 @@ bool quadraticIsRight(const vec3& b, AwkwardNumbers& numbers) {
     if (c.count > 0 && !(c.first >= 0.0f && c.first <= 1.0f)) return false;
     if (c.count > 1 && !(c.second >= c.first && c.second <= 1.0f)) return false;
     const vec4 lit = shared::positiveIntervals(b.x, b.y, b.z);
-    const double most = std::max({std::abs(static_cast<double>(b.x)), std::abs(static_cast<double>(b.y)), std::abs(static_cast<double>(b.z))});
+    const double most = std::max(
+        {std::abs(static_cast<double>(b.x)), std::abs(static_cast<double>(b.y)), std::abs(static_cast<double>(b.z))});
     for (int i = 0; i < 4; ++i) {
         const double t = i < 2 ? static_cast<double>(numbers.unit())
-                               : std::clamp(static_cast<double>(i == 2 ? c.first : c.second) + 1e-5 * static_cast<double>(numbers.between(-1.0f, 1.0f)), 0.0, 1.0);
+                               : std::clamp(static_cast<double>(i == 2 ? c.first : c.second) +
+                                                1e-5 * static_cast<double>(numbers.between(-1.0f, 1.0f)),
+                                            0.0, 1.0);
         const double value = bernstein(static_cast<double>(b.x), static_cast<double>(b.y), static_cast<double>(b.z), t);
         if (std::abs(value) <= std::ldexp(most, -20)) continue;
-        const auto within = [t](float begin, float end) { return begin < end && t >= static_cast<double>(begin) && t <= static_cast<double>(end); };
+        const auto within = [t](float begin, float end) {
+            return begin < end && t >= static_cast<double>(begin) && t <= static_cast<double>(end);
+        };
         const bool inside = within(lit.x, lit.y) || within(lit.z, lit.w);
         if (inside != (value > 0.0)) return false;
     }
@@ -136,8 +148,11 @@ bool singleRootIsNear(const vec3& b) {
     const shared::SignChanges c = shared::signChangesOfQuadratic(b.x, b.y, b.z);
     if (c.count != 1) return false;
     const double off = std::ldexp(1.0, -21), t = static_cast<double>(c.first);
-    const auto at = [&](double u) { return bernstein(static_cast<double>(b.x), static_cast<double>(b.y), static_cast<double>(b.z), u); };
-    const double before = t - off <= 0.0 ? static_cast<double>(b.x) : at(t - off), after = t + off >= 1.0 ? static_cast<double>(b.z) : at(t + off);
+    const auto at = [&](double u) {
+        return bernstein(static_cast<double>(b.x), static_cast<double>(b.y), static_cast<double>(b.z), u);
+    };
+    const double before = t - off <= 0.0 ? static_cast<double>(b.x) : at(t - off),
+                 after = t + off >= 1.0 ? static_cast<double>(b.z) : at(t + off);
     return (before > 0.0) != (after > 0.0);
 }
 
@@ -145,17 +160,21 @@ bool singleRootIsNear(const vec3& b) {
 
 double cubic(const vec4& b, double t) {
     const double s = 1.0 - t;
-    return static_cast<double>(b.x) * s * s * s + 3.0 * s * t * (static_cast<double>(b.y) * s + static_cast<double>(b.z) * t) + static_cast<double>(b.w) * t * t * t;
+    return static_cast<double>(b.x) * s * s * s +
+           3.0 * s * t * (static_cast<double>(b.y) * s + static_cast<double>(b.z) * t) +
+           static_cast<double>(b.w) * t * t * t;
 }
 
 vec4 awkwardCubic(AwkwardNumbers& numbers) {
     vec4 b(numbers.coordinate(), numbers.coordinate(), numbers.coordinate(), numbers.coordinate());
     if (numbers.below(3) == 0) {  // from its roots, which may be equal or nearly so
         const float r0 = numbers.unit();
-        const float r1 = numbers.oneIn(2) ? numbers.near(r0) : numbers.unit(), r2 = numbers.oneIn(3) ? numbers.near(r1) : numbers.unit();
+        const float r1 = numbers.oneIn(2) ? numbers.near(r0) : numbers.unit(),
+                    r2 = numbers.oneIn(3) ? numbers.near(r1) : numbers.unit();
         // The blossom of (t - r0) (t - r1) (t - r2).
         b = {-r0 * r1 * r2, (r0 * r1 + r0 * r2 + r1 * r2 - 3.0f * r0 * r1 * r2) / 3.0f,
-             (-(r0 + r1 + r2) + 2.0f * (r0 * r1 + r0 * r2 + r1 * r2) - 3.0f * r0 * r1 * r2) / 3.0f, (1.0f - r0) * (1.0f - r1) * (1.0f - r2)};
+             (-(r0 + r1 + r2) + 2.0f * (r0 * r1 + r0 * r2 + r1 * r2) - 3.0f * r0 * r1 * r2) / 3.0f,
+             (1.0f - r0) * (1.0f - r1) * (1.0f - r2)};
     }
     if (numbers.oneIn(8)) b *= std::exp2(static_cast<float>(static_cast<int>(numbers.below(60)) - 30));
     return b;
@@ -163,7 +182,8 @@ vec4 awkwardCubic(AwkwardNumbers& numbers) {
 
 bool cubicIsRight(const vec4& b, AwkwardNumbers& numbers) {
     const shared::CubicSignChanges c = shared::signChangesOfCubic(b);
-    const double most = std::max({std::abs(static_cast<double>(b.x)), std::abs(static_cast<double>(b.y)), std::abs(static_cast<double>(b.z)), std::abs(static_cast<double>(b.w))});
+    const double most = std::max({std::abs(static_cast<double>(b.x)), std::abs(static_cast<double>(b.y)),
+                                  std::abs(static_cast<double>(b.z)), std::abs(static_cast<double>(b.w))});
     float last = 0.0f;
     for (std::uint32_t i = 0; i < c.count; ++i) {
         const float root = c.at[static_cast<glm::length_t>(i)];
@@ -185,12 +205,16 @@ bool cubicIsRight(const vec4& b, AwkwardNumbers& numbers) {
 
 bool edgeFunctionsAreWithinTheirBound(AwkwardNumbers& numbers) {
     const vec3 a = numbers.point(), b = numbers.oneIn(4) ? numbers.near(a) : numbers.point(), c = numbers.point();
-    const vec3 e = shared::edgeFunctions({a.x, a.y}, {b.x, b.y}, {c.x, c.y}), f = shared::edgeFunctions({b.x, b.y}, {a.x, a.y}, {c.x, c.y});
-    const double first = static_cast<double>(a.x) * static_cast<double>(b.y), second = static_cast<double>(a.y) * static_cast<double>(b.x);
-    return e.z == -f.z && std::abs(static_cast<double>(e.z) - (first - second)) <= std::ldexp(2.0 * (std::abs(first) + std::abs(second)), -24) + 1e-37;
+    const vec3 e = shared::edgeFunctions({a.x, a.y}, {b.x, b.y}, {c.x, c.y}),
+               f = shared::edgeFunctions({b.x, b.y}, {a.x, a.y}, {c.x, c.y});
+    const double first = static_cast<double>(a.x) * static_cast<double>(b.y),
+                 second = static_cast<double>(a.y) * static_cast<double>(b.x);
+    return e.z == -f.z && std::abs(static_cast<double>(e.z) - (first - second)) <=
+                              std::ldexp(2.0 * (std::abs(first) + std::abs(second)), -24) + 1e-37;
 }
 
-/// The depth at which the ray through (0, 0) of an orthographic view meets a triangle's plane, in double precision, at time u.
+/// The depth at which the ray through (0, 0) of an orthographic view meets a triangle's plane, in double precision, at
+/// time u.
 double depthAt(const dvec3 (&v)[3], const dvec3 (&rate)[3], double u) {
     const dvec3 a = v[0] + u * rate[0], n = glm::cross(v[1] + u * rate[1] - a, v[2] + u * rate[2] - a);
     return glm::dot(n, a) / n.z;
@@ -209,16 +233,17 @@ bool depthRateIsTheDerivative(AwkwardNumbers& numbers) {
     const vec3 e = shared::edgeFunctions({v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y});
     const double sum = static_cast<double>(e.x + e.y + e.z);
     if (std::abs(sum) < 0.1) return true;
-    const double got = static_cast<double>(shared::depthRateAtPlace({v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}, {rate[0].x, rate[0].y},
-                                                                    {rate[1].x, rate[1].y}, {rate[2].x, rate[2].y}, {v[0].z, v[1].z, v[2].z},
-                                                                    {rate[0].z, rate[1].z, rate[2].z}));
+    const double got = static_cast<double>(shared::depthRateAtPlace(
+        {v[0].x, v[0].y}, {v[1].x, v[1].y}, {v[2].x, v[2].y}, {rate[0].x, rate[0].y}, {rate[1].x, rate[1].y},
+        {rate[2].x, rate[2].y}, {v[0].z, v[1].z, v[2].z}, {rate[0].z, rate[1].z, rate[2].z}));
     const double h = 1e-5, wanted = (depthAt(exact, exactRate, h) - depthAt(exact, exactRate, -h)) / (2.0 * h);
     return std::abs(got - wanted) <= 2e-5 / (sum * sum);
 }
 
 bool timesStayInTheirStratum(AwkwardNumbers& numbers) {
     const std::uint32_t strata = 1 + numbers.below(32), k = numbers.below(strata), seed = numbers.word();
-    const vec3 p = shared::samplePattern({numbers.below(16384), numbers.below(16384)}, k, seed, numbers.oneIn(2) ? SALT_CAMERA : SALT_LIGHT);
+    const vec3 p = shared::samplePattern({numbers.below(16384), numbers.below(16384)}, k, seed,
+                                         numbers.oneIn(2) ? SALT_CAMERA : SALT_LIGHT);
     const float scale = 1.0f / static_cast<float>(strata), u = shared::sampleTime(0.0f, scale, k, p.z);
     const double from = static_cast<double>(k) / strata, to = static_cast<double>(k + 1) / strata;
     return p.x >= 0.0f && p.x < 1.0f && p.y >= 0.0f && p.y < 1.0f && p.z >= 0.0f && p.z < 1.0f && u <= 1.0f &&
@@ -230,7 +255,8 @@ bool timesStayInTheirStratum(AwkwardNumbers& numbers) {
 /// The point (s, u) of the fan's flat triangles, from the one that it lies in: two neighbouring corners and the centre.
 dvec3 fanPoint(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d, double s, double u) {
     const dvec3 centre = 0.25 * (a + b + c + d);
-    const double x = s - 0.5, y = u - 0.5, share = 2.0 * std::max(std::abs(x), std::abs(y));  // 0 in the centre, 1 on the edges
+    const double x = s - 0.5, y = u - 0.5,
+                 share = 2.0 * std::max(std::abs(x), std::abs(y));  // 0 in the centre, 1 on the edges
     if (share == 0.0) return centre;
     const double along = 0.5 + (std::abs(x) > std::abs(y) ? y : x) / share;
     const dvec3 edge = std::abs(x) > std::abs(y) ? (x < 0.0 ? glm::mix(a, c, along) : glm::mix(b, d, along))
@@ -252,8 +278,8 @@ bool fanAndTwistMakeTheSide(AwkwardNumbers& numbers) {
     return std::abs(beyond) <= 0.0625f && glm::length(off) <= std::ldexp(4.0 * most, -24);
 }
 
-/// No point of the texel that the edge itself can pass is passed at a time farther away than the shortened step's; of an edge that slides along
-/// itself the step is not longer than the edge.
+/// No point of the texel that the edge itself can pass is passed at a time farther away than the shortened step's; of
+/// an edge that slides along itself the step is not longer than the edge.
 bool stepEndsWithTheEdge(AwkwardNumbers& numbers) {
     const auto slope = [&] {
         const float size = std::exp2(static_cast<float>(static_cast<int>(numbers.below(41)) - 20));
@@ -262,12 +288,14 @@ bool stepEndsWithTheEdge(AwkwardNumbers& numbers) {
     };
     const vec2 placeSlope = slope();
     const bool slides = numbers.oneIn(3);
-    const vec2 timeSlope = slides ? placeSlope * std::exp2(static_cast<float>(static_cast<int>(numbers.below(21)) - 10)) : slope();
+    const vec2 timeSlope =
+        slides ? placeSlope * std::exp2(static_cast<float>(static_cast<int>(numbers.below(21)) - 10)) : slope();
     const float place = numbers.oneIn(8) ? static_cast<float>(numbers.below(2)) : numbers.unit();
     const double share = static_cast<double>(shared::stepWithinEdge(timeSlope, placeSlope, place));
     if (!(share >= 0.0 && share <= 1.0)) return false;
     const dvec2 t(timeSlope), g(placeSlope);
-    const double p = static_cast<double>(place), over = 0.5 * (std::abs(t.x) + std::abs(t.y)), most = share * over * (1.0 + std::ldexp(1.0, -20));
+    const double p = static_cast<double>(place), over = 0.5 * (std::abs(t.x) + std::abs(t.y)),
+                 most = share * over * (1.0 + std::ldexp(1.0, -20));
     const auto reaches = [&](const dvec2& step) {  // as far as the edge goes in this direction
         const double change = glm::dot(g, step), room = change > 0.0 ? 1.0 - p : p;
         return std::abs(glm::dot(t, step)) * (std::abs(change) > room ? room / std::abs(change) : 1.0) <= most;
@@ -280,19 +308,33 @@ bool stepEndsWithTheEdge(AwkwardNumbers& numbers) {
     }
     const double steep = glm::length(g);
     if (!slides || steep < 2e-6) return true;
-    return share * over <= std::min(over, std::max(p, 1.0 - p) * glm::length(t) / steep) * (1.0 + 1e-5) + 1e-6 * glm::length(t);
+    return share * over <=
+           std::min(over, std::max(p, 1.0 - p) * glm::length(t) / steep) * (1.0 + 1e-5) + 1e-6 * glm::length(t);
 }
 
 TEST(Volume, EdgeSides) { EXPECT_EQ(firstFailure(5000000, 1, edgeIsWithinItsBound), -1); }
 TEST(Volume, SegmentsAndTriangles) {
-    EXPECT_EQ(firstFailure(4000000, 2, [](AwkwardNumbers& n) { return segmentDecidesAsExactArithmetic(awkwardSegmentAndTriangle(n)); }), -1);
+    EXPECT_EQ(
+        firstFailure(4000000, 2,
+                     [](AwkwardNumbers& n) { return segmentDecidesAsExactArithmetic(awkwardSegmentAndTriangle(n)); }),
+        -1);
 }
 TEST(Volume, SegmentsAndTrianglesOfWholeNumbers) { EXPECT_EQ(firstFailure(2000000, 7, latticeIsDecidedExactly), -1); }
 TEST(Volume, Quadratics) {
-    EXPECT_EQ(firstFailure(4000000, 3, [](AwkwardNumbers& n) { const vec3 b = awkwardQuadratic(n); return quadraticIsRight(b, n) && singleRootIsNear(b); }), -1);
+    EXPECT_EQ(firstFailure(4000000, 3,
+                           [](AwkwardNumbers& n) {
+                               const vec3 b = awkwardQuadratic(n);
+                               return quadraticIsRight(b, n) && singleRootIsNear(b);
+                           }),
+              -1);
 }
 TEST(Volume, Cubics) {
-    EXPECT_EQ(firstFailure(3000000, 4, [](AwkwardNumbers& n) { const vec4 b = awkwardCubic(n); return cubicIsRight(b, n); }), -1);
+    EXPECT_EQ(firstFailure(3000000, 4,
+                           [](AwkwardNumbers& n) {
+                               const vec4 b = awkwardCubic(n);
+                               return cubicIsRight(b, n);
+                           }),
+              -1);
 }
 TEST(Volume, EdgeFunctions) { EXPECT_EQ(firstFailure(4000000, 5, edgeFunctionsAreWithinTheirBound), -1); }
 TEST(Volume, DepthRates) { EXPECT_EQ(firstFailure(2000000, 8, depthRateIsTheDerivative), -1); }
@@ -305,7 +347,9 @@ TEST(Volume, SampleTimes) { EXPECT_EQ(firstFailure(4000000, 6, timesStayInTheirS
 // Every run the same, unless the environment says otherwise (as what a failure prints to reproduce it).
 const int seeded = setenv("RC_PARAMS", "seed=19880307 max_success=20000", 0);
 
-float fraction() { return static_cast<float>(*rc::gen::inRange(-64, 65)) / static_cast<float>(1 << *rc::gen::inRange(0, 7)); }
+float fraction() {
+    return static_cast<float>(*rc::gen::inRange(-64, 65)) / static_cast<float>(1 << *rc::gen::inRange(0, 7));
+}
 vec3 point() {
     const float x = fraction(), y = fraction(), z = fraction();
     return {x, y, z};
@@ -326,5 +370,5 @@ RC_GTEST_PROP(Shrinking, Cubics, ()) {
     RC_ASSERT(cubicIsRight(b, numbers));
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -1,6 +1,7 @@
-// Thousands of random changes of scene, technique, settings, views and sizes, one after the other, as somebody makes them who plays with the
-// window for hours. The window's own state and frame driver are driven, and its panels laid out, without a display; only the
-// drawing of ImGui's triangles is left out. Nothing may fail, no buffer may hold a NaN, and memory may not grow.
+// Thousands of random changes of scene, technique, settings, views and sizes, one after the other, as somebody makes
+// them who plays with the window for hours. The window's own state and frame driver are driven, and its panels laid
+// out, without a display; only the drawing of ImGui's triangles is left out. Nothing may fail, no buffer may hold a
+// NaN, and memory may not grow.
 //   soak [CHANGES [SEED [PER CENT]]]
 #include <algorithm>
 #include <cmath>
@@ -56,9 +57,12 @@ void setAtRandom(const Setting& setting, AwkwardNumbers& numbers) {
         Setting(setting).set(numbers.oneIn(2) ? 1.0 : 0.0);
     else if (setting.isWhole())
         // The largest values of some settings take minutes; eight apart is as random.
-        Setting(setting).set(setting.minimum + numbers.below(static_cast<std::uint32_t>(std::min(setting.maximum - setting.minimum, 7.0)) + 1));
+        Setting(setting).set(
+            setting.minimum +
+            numbers.below(static_cast<std::uint32_t>(std::min(setting.maximum - setting.minimum, 7.0)) + 1));
     else
-        Setting(setting).set(setting.minimum + (setting.maximum - setting.minimum) * std::pow(static_cast<double>(numbers.unit()), 3.0));
+        Setting(setting).set(setting.minimum +
+                             (setting.maximum - setting.minimum) * std::pow(static_cast<double>(numbers.unit()), 3.0));
 }
 
 Options firstOptions() {
@@ -103,16 +107,19 @@ class HeadlessPanels {
 class Soak {
   public:
     explicit Soak(std::uint32_t seed)
-        : numbers_(seed), context_(makeHeadlessContext({ContextKind::Egl, -1, true})), session_(firstOptions(), openScene("pillars", ""), "soak") {
-        for (const TechniqueDescription& description : techniqueDescriptions()) techniqueNames_.push_back(description.name);
+        : numbers_(seed),
+          context_(makeHeadlessContext({ContextKind::Egl, -1, true})),
+          session_(firstOptions(), openScene("pillars", ""), "soak") {
+        for (const TechniqueDescription& description : techniqueDescriptions())
+            techniqueNames_.push_back(description.name);
         sceneNames_ = {"pillars", "chess"};
         for (const BuiltInScene& scene : caseScenes()) sceneNames_.push_back(scene.name);
         session_.renderer.setChecked(true);
     }
 
-    /// The `i`th of the first changes: everything at its largest, so that what comes later can't need more unless something is lost.
-    /// All techniques, each in the two files and in the case with the longest lists, before any comes again; their first settings first, then
-    /// every second switch the other way, then anything.
+    /// The `i`th of the first changes: everything at its largest, so that what comes later can't need more unless
+    /// something is lost. All techniques, each in the two files and in the case with the longest lists, before any
+    /// comes again; their first settings first, then every second switch the other way, then anything.
     void changeToLargest(int i) {
         static const char* const heavyScenes[] = {crowdScene, "chess", "pillars"};
         const auto number = static_cast<std::size_t>(i);
@@ -130,7 +137,7 @@ class Soak {
         // Both kinds of size: software renderers compile a shader anew for textures whose sides are no powers of two.
         width_ = i % 2 == 0 ? largestWidth : largestWidth - 1;
         height_ = largestHeight - i % 3;
-        session_.request.samplesPerPixel = largestSamples;
+        session_.request.samplesPerPixel = maxSamples;
         session_.request.mapSize = smallestMap << (mapSteps - 1);
         draw(false);
     }
@@ -141,7 +148,9 @@ class Soak {
         bool moving = false;
         switch (numbers_.below(8)) {
         case 0: s.wishedScene = sceneNames_[numbers_.below(static_cast<std::uint32_t>(sceneNames_.size()))]; break;
-        case 1: s.wishedTechnique = techniqueNames_[numbers_.below(static_cast<std::uint32_t>(techniqueNames_.size()))]; break;
+        case 1:
+            s.wishedTechnique = techniqueNames_[numbers_.below(static_cast<std::uint32_t>(techniqueNames_.size()))];
+            break;
         case 2:
             for (const Setting& setting : settingsOf(*s.technique)) setAtRandom(setting, numbers_);
             break;
@@ -150,7 +159,7 @@ class Soak {
             height_ = 1 + static_cast<int>(numbers_.below(largestHeight));
             break;
         case 4:
-            s.request.samplesPerPixel = 1 + static_cast<int>(numbers_.below(largestSamples));
+            s.request.samplesPerPixel = 1 + static_cast<int>(numbers_.below(maxSamples));
             s.request.mapSize = smallestMap << numbers_.below(mapSteps);
             break;
         case 5: {
@@ -162,7 +171,8 @@ class Soak {
             if (numbers_.oneIn(2))
                 s.useSceneCamera(0);
             else
-                s.freeCamera().orbit(static_cast<double>(numbers_.between(-1.0f, 1.0f)), static_cast<double>(numbers_.between(-0.3f, 0.3f)));
+                s.freeCamera().orbit(static_cast<double>(numbers_.between(-1.0f, 1.0f)),
+                                     static_cast<double>(numbers_.between(-0.3f, 0.3f)));
             moving = true;
             break;
         default: {
@@ -193,21 +203,23 @@ class Soak {
 
     std::string now() const {
         const FrameRequest& r = session_.request;
-        return fmt::format("{} in {}, view {}, {} x {}, {} spp, map {}", session_.technique->description().name, session_.sceneName, session_.viewName(),
-                           r.width, r.height, r.samplesPerPixel, r.mapSize);
+        return fmt::format("{} in {}, view {}, {} x {}, {} spp, map {}", session_.technique->description().name,
+                           session_.sceneName, session_.viewName(), r.width, r.height, r.samplesPerPixel, r.mapSize);
     }
 
   private:
-    /// A thousand casters over every texel: at the largest map their lists are so large that a leak could hide below their peak.
+    /// A thousand casters over every texel: at the largest map their lists are so large that a leak could hide below
+    /// their peak.
     static constexpr const char* crowdScene = "case:many_slivers";
-    static constexpr int largestCrowdMap = 32;
-    static constexpr int largestWidth = 64, largestHeight = 48, largestSamples = 8, smallestMap = 16, mapSteps = 4;
+    static constexpr int maxCrowdMap = 32;
+    static constexpr int largestWidth = 64, largestHeight = 48, maxSamples = 8, smallestMap = 16, mapSteps = 4;
 
     void holdDownBruteForce() {
         if (session_.technique->description().name == "accumulation") setFromText(*session_.technique, "renders", "4");
     }
 
-    /// Goes round the window's loop, from where wishes have been granted, until the picture is whole, and looks for what went wrong.
+    /// Goes round the window's loop, from where wishes have been granted, until the picture is whole, and looks for
+    /// what went wrong.
     void draw(bool moving) {
         if (!session_.sceneError.empty()) throw std::runtime_error(session_.sceneError);
         clock_ += 1.0;  // longer than the window waits for the mouse to come to rest
@@ -216,7 +228,8 @@ class Soak {
             session_.advance(clock_);
             session_.request.width = width_;
             session_.request.height = height_;
-            if (session_.sceneName == crowdScene) session_.request.mapSize = std::min(session_.request.mapSize, largestCrowdMap);
+            if (session_.sceneName == crowdScene)
+                session_.request.mapSize = std::min(session_.request.mapSize, maxCrowdMap);
             session_.driver.update(session_.wanted(moving && round < 2), session_.now);
             panels_.draw(session_);
             if (session_.driver.state() == FrameDriver::State::Failed) {
@@ -231,7 +244,8 @@ class Soak {
 
     /// A technique may say that it does not draw a frame; nothing else may fail.
     void refuseAllBut(const std::string& failure) const {
-        if (failure.rfind("technique " + session_.technique->description().name + " can't draw this frame", 0) != 0) throw std::runtime_error(failure);
+        if (failure.rfind("technique " + session_.technique->description().name + " can't draw this frame", 0) != 0)
+            throw std::runtime_error(failure);
     }
 
     AwkwardNumbers numbers_;
@@ -268,15 +282,18 @@ int run(int changes, std::uint32_t seed, double allowedGrowth) {
     }
     const Memory last = memoryOf(soak);
     const double growth = 100.0 * (static_cast<double>(last.peak) / static_cast<double>(first.peak) - 1.0);
-    fmt::print("{} changes: peak {:.1f} MiB after {}, {:.1f} MiB at the end ({:+.2f} %); allocated at rest {:.1f} and {:.1f} MiB\n", changes, mebibytes(first.peak),
-               warmUp, mebibytes(last.peak), growth, mebibytes(first.atRest), mebibytes(last.atRest));
+    fmt::print(
+        "{} changes: peak {:.1f} MiB after {}, {:.1f} MiB at the end ({:+.2f} %); allocated at rest {:.1f} and {:.1f} "
+        "MiB\n",
+        changes, mebibytes(first.peak), warmUp, mebibytes(last.peak), growth, mebibytes(first.atRest),
+        mebibytes(last.atRest));
     // Which of the programs are held, and with how many kinds of textures they have met, is chance: some megabytes.
     const double restGrowth = 100.0 * (static_cast<double>(last.atRest) / static_cast<double>(first.atRest) - 1.0);
     return growth <= allowedGrowth && restGrowth <= allowedRestGrowth ? 0 : 1;
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade
 
 int main(int argumentCount, char** arguments) {
     // Large blocks go back to the system when they are freed, so that holes between small ones don't count as growth.
@@ -284,6 +301,8 @@ int main(int argumentCount, char** arguments) {
     mallopt(M_TRIM_THRESHOLD, 128 * 1024);
     mallopt(M_ARENA_MAX, 1);
     const int changes = argumentCount > 1 ? std::atoi(arguments[1]) : 2000;
-    const double allowedGrowth = argumentCount > 3 ? std::atof(arguments[3]) : 2.0;  // per cent of the peak after the warm-up
-    return timeshade::run(changes, argumentCount > 2 ? static_cast<std::uint32_t>(std::atoi(arguments[2])) : 1u, allowedGrowth);
+    const double allowedGrowth =
+        argumentCount > 3 ? std::atof(arguments[3]) : 2.0;  // per cent of the peak after the warm-up
+    return timeshade::run(changes, argumentCount > 2 ? static_cast<std::uint32_t>(std::atoi(arguments[2])) : 1u,
+                          allowedGrowth);
 }

@@ -22,7 +22,9 @@ class AwkwardNumbers {
         }
         return words_[static_cast<glm::length_t>(used_++)];
     }
-    std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>((static_cast<std::uint64_t>(word()) * n) >> 32); }
+    std::uint32_t below(std::uint32_t n) {
+        return static_cast<std::uint32_t>((static_cast<std::uint64_t>(word()) * n) >> 32);
+    }
     bool oneIn(std::uint32_t n) { return below(n) == 0; }
     /// In [0, 1), of 24 bits.
     float unit() { return shared::unitInterval(word()); }
@@ -69,8 +71,8 @@ struct SegmentAndTriangle {
     glm::vec3 toLight, v[3];
 };
 
-/// Half of them random; the rest through an edge or a corner, in the triangle's plane, with a triangle that is thin, far, tiny or a
-/// point, with a receiver on the triangle, and with the whole scaled.
+/// Half of them random; the rest through an edge or a corner, in the triangle's plane, with a triangle that is thin,
+/// far, tiny or a point, with a receiver on the triangle, and with the whole scaled.
 inline SegmentAndTriangle awkwardSegmentAndTriangle(AwkwardNumbers& numbers) {
     SegmentAndTriangle s;
     s.toLight = numbers.point();
@@ -82,22 +84,26 @@ inline SegmentAndTriangle awkwardSegmentAndTriangle(AwkwardNumbers& numbers) {
         break;
     }
     case 1: s.toLight = numbers.near(s.v[numbers.below(3)]) * 2.0f; break;  // towards a corner
-    case 2: {  // the plane all but holds the segment
+    case 2: {                                                               // the plane all but holds the segment
         const glm::vec3 inPlane = s.v[0] * numbers.between(-1.0f, 2.0f) + s.v[1] * numbers.between(-1.0f, 2.0f);
         s.toLight = numbers.near(inPlane);
         s.v[2] = numbers.near(s.v[0] * numbers.between(-1.0f, 2.0f) + s.v[1] * numbers.between(-1.0f, 2.0f));
         break;
     }
     case 3: s.v[2] = numbers.near(s.v[0] * 0.5f + s.v[1] * 0.5f); break;  // without area, nearly
-    case 4: s.v[1] = numbers.near(s.v[0]); s.v[2] = numbers.near(s.v[0]); break;  // a point, nearly
-    case 5: {  // the receiver lies on the triangle, nearly
+    case 4:
+        s.v[1] = numbers.near(s.v[0]);
+        s.v[2] = numbers.near(s.v[0]);
+        break;  // a point, nearly
+    case 5: {   // the receiver lies on the triangle, nearly
         const glm::vec3 on = s.v[0] * 0.25f + s.v[1] * 0.5f + s.v[2] * 0.25f;
         for (glm::vec3& v : s.v) v = v - on;
         break;
     }
     default: {  // through the triangle's inside
         const float a = numbers.unit(), b = numbers.unit() * (1.0f - a);
-        if (numbers.oneIn(2)) s.toLight = (s.v[0] * a + s.v[1] * b + s.v[2] * (1.0f - a - b)) * numbers.between(0.5f, 3.0f);
+        if (numbers.oneIn(2))
+            s.toLight = (s.v[0] * a + s.v[1] * b + s.v[2] * (1.0f - a - b)) * numbers.between(0.5f, 3.0f);
         break;
     }
     }
@@ -109,4 +115,4 @@ inline SegmentAndTriangle awkwardSegmentAndTriangle(AwkwardNumbers& numbers) {
     return s;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

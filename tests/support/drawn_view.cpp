@@ -29,4 +29,4 @@ std::vector<float> drawnView(const FramePlan& plan, Technique& technique, const 
     return read;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -24,7 +24,7 @@ std::vector<glm::dvec3> wander(AwkwardNumbers& numbers, glm::dvec3 from, double 
     return path;
 }
 
-} // namespace
+}  // namespace
 
 EventfulScene::EventfulScene(std::uint32_t seed, bool directionalLight) : directional_(directionalLight) {
     AwkwardNumbers numbers(seed);
@@ -35,7 +35,8 @@ EventfulScene::EventfulScene(std::uint32_t seed, bool directionalLight) : direct
         const double right = number(0.2f, 0.8f), up = number(0.2f, 0.8f), tilt = number(-0.4f, 0.4f);
         const std::uint32_t lively = i < 5 ? 1 : 4;  // the first ones never rest
         Quad quad{wander(numbers, {x, y, z}, i % 3 == 0 ? 6.0 : 0.7, lively), {}, {tilt, up, 0.2}};
-        quad.sides = numbers.oneIn(3) ? wander(numbers, {right, 0, tilt}, 0.3, 3) : Path(frames + 1, glm::dvec3(right, 0, tilt));
+        quad.sides =
+            numbers.oneIn(3) ? wander(numbers, {right, 0, tilt}, 0.3, 3) : Path(frames + 1, glm::dvec3(right, 0, tilt));
         quads_.push_back(quad);
     }
     eyes_ = numbers.oneIn(2) ? Path(frames + 1, glm::dvec3(2, -11, 8)) : wander(numbers, {2, -11, 8}, 1.0, 4);
@@ -70,7 +71,8 @@ std::vector<glm::dvec3> EventfulScene::corners(double seconds) const {
     std::vector<glm::dvec3> all;
     for (const Quad& quad : quads_) {
         const glm::dvec3 centre = at(quad.centres, seconds), side = at(quad.sides, seconds);
-        all.insert(all.end(), {centre - side - quad.up, centre + side - quad.up, centre + side + quad.up, centre - side + quad.up});
+        all.insert(all.end(), {centre - side - quad.up, centre + side - quad.up, centre + side + quad.up,
+                               centre - side + quad.up});
     }
     return all;
 }
@@ -99,4 +101,4 @@ LightPose EventfulScene::light(double seconds) const {
     return pose;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

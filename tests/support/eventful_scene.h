@@ -8,9 +8,9 @@
 
 namespace timeshade {
 
-/// Quads over a ground that start and stop, come in and go out of the camera's and the light's views, as do the light and the camera
-/// themselves: each has a place of its own at every whole frame and moves evenly in between, and keeps it for some frames. One
-/// second is one frame. The same seed makes the same scene.
+/// Quads over a ground that start and stop, come in and go out of the camera's and the light's views, as do the light
+/// and the camera themselves: each has a place of its own at every whole frame and moves evenly in between, and keeps
+/// it for some frames. One second is one frame. The same seed makes the same scene.
 class EventfulScene final : public Scene {
   public:
     static constexpr int frames = 8;
@@ -51,4 +51,4 @@ class EventfulScene final : public Scene {
     std::shared_ptr<const MeshTopology> topology_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

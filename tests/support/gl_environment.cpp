@@ -62,7 +62,7 @@ SharedGl& made() {
     return *shared;
 }
 
-} // namespace
+}  // namespace
 
 GlContext& sharedContext() { return *made().context; }
 
@@ -76,7 +76,7 @@ FrameRenderer& sharedRenderer() {
     return *made().renderer;
 }
 
-} // namespace timeshade
+}  // namespace timeshade
 
 int main(int argumentCount, char** arguments) {
     testing::InitGoogleTest(&argumentCount, arguments);

@@ -18,4 +18,4 @@ gl::DebugLog& sharedDebugLog();
 /// call. Every frame is drawn from its plan alone, so what a test before has drawn makes no difference.
 FrameRenderer& sharedRenderer();
 
-} // namespace timeshade
+}  // namespace timeshade

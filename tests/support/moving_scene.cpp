@@ -7,13 +7,16 @@ namespace timeshade {
 std::unique_ptr<ProceduralScene> makeMovingScene(const MovingSceneOptions& options) {
     std::mt19937 random(options.seed);
     const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-    const auto vector = [&](double size) { return glm::dvec3(number(-size, size), number(-size, size), number(-size, size)); };
+    const auto vector = [&](double size) {
+        return glm::dvec3(number(-size, size), number(-size, size), number(-size, size));
+    };
 
     auto scene = std::make_unique<ProceduralScene>();
     const glm::dvec3 corners[4] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     for (int i = 0; i < options.quads; ++i) {
         const double size = options.aroundTheEye ? number(0.5, 3.0) : number(0.05, 1.0);
-        const glm::dvec3 centre = options.aroundTheEye ? glm::dvec3(number(-2, 2), number(-2, 2), number(4, 7)) : vector(3.0);
+        const glm::dvec3 centre =
+            options.aroundTheEye ? glm::dvec3(number(-2, 2), number(-2, 2), number(4, 7)) : vector(3.0);
         const glm::dvec3 move = i % 3 == 0 ? glm::dvec3(0.0) : vector(1.5);
         MovingQuad quad{};
         for (int c = 0; c < 4; ++c) {
@@ -38,4 +41,4 @@ std::unique_ptr<ProceduralScene> makeMovingScene(const MovingSceneOptions& optio
     return scene;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -19,4 +19,4 @@ struct MovingSceneOptions {
 /// One-sided quadrilaterals (not flat, so that their halves differ) that move and turn at random in front of a camera.
 std::unique_ptr<ProceduralScene> makeMovingScene(const MovingSceneOptions& options);
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
@@ -22,7 +22,8 @@ class StripedTechnique final : public Technique {
         glClearTexImage(frame.visibility.lit().name(), 0, GL_RED, GL_FLOAT, &lit);
     }
     std::vector<TechniqueView> views() const override {
-        return {{"columns", "The number of the column", "columns", 0.0, 15.0, false}, {"powers", "The same, in powers", "columns", 1.0, 16.0, true}};
+        return {{"columns", "The number of the column", "columns", 0.0, 15.0, false},
+                {"powers", "The same, in powers", "columns", 1.0, 16.0, true}};
     }
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override {
         const int width = values.width(), height = values.height();
@@ -33,8 +34,9 @@ class StripedTechnique final : public Technique {
         drawn_ = name;
         samples_ = static_cast<double>(frame.plan.request.samplesPerPixel);
     }
-    std::vector<TechniqueFigure> figures() const override {
-        return {{"samples", samples_, "a pixel", ""}, {"odd lists", 12345.0, "", "the picture may be wrong there"}};
+    std::vector<TechniqueStatistic> statistics() const override {
+        return {{"samples", samples_, "a pixel", ""},
+                {"lists with unpaired fragments", 12345.0, "", "the picture may be wrong there"}};
     }
     std::vector<const gl::Texture*> textures() const override { return {}; }
     std::size_t bytes() const override { return 0; }
@@ -46,4 +48,4 @@ class StripedTechnique final : public Technique {
     double samples_ = 0.0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,4 +1,5 @@
-// A convex closed body that moves and turns under the light shadows nothing of its own lit side: every false shadow on it is acne.
+// A convex closed body that moves and turns under the light shadows nothing of its own lit side: every false shadow on
+// it is acne.
 #include <gtest/gtest.h>
 
 #include "measure/verification.h"
@@ -28,7 +29,9 @@ FalseShadows falseShadows(const std::string& technique, const std::string& setti
     double onStone = 0.0, dark = 0.0;
     VerificationOptions options;
     options.visit = [&](const VerifiedSample& sample) {
-        if (sample.triangle == NO_TRIANGLE || !sample.truth.tested || plan.mesh->topology->triangleInstances[sample.triangle] == 0) return;
+        if (sample.triangle == NO_TRIANGLE || !sample.truth.tested ||
+            plan.mesh->topology->triangleInstances[sample.triangle] == 0)
+            return;
         onStone += 1.0;
         dark += sample.truth.lit && sample.lit < 0.5f ? 1.0 : 0.0;
     };
@@ -52,5 +55,5 @@ TEST(Acne, IsNoneOnASphereThatTurns) {
 /// What the dynamic bias is for.
 TEST(Acne, IsThereWithoutTheDynamicBias) { EXPECT_GT(falseShadows("tsm", "").ofStone, 5000.0); }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

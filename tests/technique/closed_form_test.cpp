@@ -1,5 +1,6 @@
 // Every registered technique on scenes whose lit share is known exactly: the mean over many samples must agree within
-// what sampling theory and the map's resolution allow, and where a technique must fail, it must fail by as much as theory says.
+// what sampling theory and the map's resolution allow, and where a technique must fail, it must fail by as much as
+// theory says.
 
 #include <cmath>
 #include <numeric>
@@ -26,7 +27,8 @@ struct Measurement {
 Measurement measure(Scene& scene, Technique& technique, int samplesPerPixel, int mapSize, std::uint32_t seed) {
     FrameRenderer& renderer = sharedRenderer();
     FramePlanner planner(scene);
-    renderer.draw(planner.plan(ProceduralScene::request(width, height, samplesPerPixel, mapSize, seed)), technique, View::Visibility);
+    renderer.draw(planner.plan(ProceduralScene::request(width, height, samplesPerPixel, mapSize, seed)), technique,
+                  View::Visibility);
     Measurement m;
     const LinearImage image = renderer.readRadiance();
     for (std::size_t i = 0; i < image.rgb.size(); i += 3) m.pixels.push_back(static_cast<double>(image.rgb[i]));
@@ -34,8 +36,8 @@ Measurement measure(Scene& scene, Technique& technique, int samplesPerPixel, int
     return m;
 }
 
-/// Time and space are sampled at random: four standard errors of the mean. TSM's texels are shared by the pixels that see
-/// them, so the independent samples are those of the map column that the picture covers, one per texel and stratum.
+/// Time and space are sampled at random: four standard errors of the mean. TSM's texels are shared by the pixels that
+/// see them, so the independent samples are those of the map column that the picture covers, one per texel and stratum.
 double samplingTolerance(double share, int strata, double independentColumns) {
     return 4.0 * std::sqrt(share * (1.0 - share) / (strata * independentColumns));
 }
@@ -50,11 +52,11 @@ double rootMeanSquare(const std::vector<double>& values, double exact) {
 }
 
 /// Slope of log(error) over log(effort), by least squares.
-double slope(const std::vector<double>& effort, const std::vector<double>& error) {
+double slope(const std::vector<double>& sampleCount, const std::vector<double>& error) {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    const auto n = static_cast<double>(effort.size());
-    for (std::size_t i = 0; i < effort.size(); ++i) {
-        const double x = std::log(effort[i]), y = std::log(error[i]);
+    const auto n = static_cast<double>(sampleCount.size());
+    for (std::size_t i = 0; i < sampleCount.size(); ++i) {
+        const double x = std::log(sampleCount[i]), y = std::log(error[i]);
         sx += x;
         sy += y;
         sxx += x * x;
@@ -75,8 +77,9 @@ TEST_P(ClosedForm, RightOrOffAsItsTraitsSay) {
     if (techniqueName == "history") setFromText(*technique, "fit", "0");
     const CaseResult r = runCase(sharedRenderer(), *technique, c, {8, 512});
     if (r.verdict == Verdict::NotTaken) GTEST_SKIP() << r.reason;
-    EXPECT_NE(r.verdict, Verdict::Wrong) << r.value << " measured, " << r.exact << " (tolerance " << r.tolerance << ") is right, " << r.predicted
-                                         << " (tolerance " << r.predictedTolerance << ") is what the technique's traits predict";
+    EXPECT_NE(r.verdict, Verdict::Wrong) << r.value << " measured, " << r.exact << " (tolerance " << r.tolerance
+                                         << ") is right, " << r.predicted << " (tolerance " << r.predictedTolerance
+                                         << ") is what the technique's traits predict";
 }
 
 std::vector<std::string> techniqueNames() {
@@ -99,11 +102,12 @@ INSTANTIATE_TEST_SUITE_P(AllTechniques, ClosedForm,
                          });
 
 /// TSM answers a stratum that a shadow's end splits into f and 1 - f by a coin: the variance of a pixel is the sum of
-/// f (1 - f) over the ends, divided by N^2. The error therefore falls with slope -1, and is known before it is measured.
+/// f (1 - f) over the ends, divided by N^2. The error therefore falls with slope -1, and is known before it is
+/// measured.
 TEST(Convergence, TsmFollowsStratifiedSampling) {
     const ClosedFormCase& c = closedFormCase("quad_sweeps_point");
     const std::unique_ptr<Technique> technique = makeTechnique("tsm", sharedRenderer().programs());
-    std::vector<double> effort, error;
+    std::vector<double> sampleCount, error;
     for (const int strata : {2, 4, 8, 16, 32}) {
         std::vector<double> pixels;
         for (std::uint32_t seed = 1; seed <= 4; ++seed) {
@@ -115,28 +119,31 @@ TEST(Convergence, TsmFollowsStratifiedSampling) {
             const double f = end * strata - std::floor(end * strata);
             variance += f * (1.0 - f);
         }
-        effort.push_back(strata);
+        sampleCount.push_back(strata);
         error.push_back(rootMeanSquare(pixels, c.exact));
         // The caster's time is random within the stratum and so decides; the map's half texel widens it a little.
-        EXPECT_NEAR(error.back(), std::sqrt(variance) / strata, 0.12 * std::sqrt(variance) / strata + mapTolerance(1024)) << strata << " strata";
+        EXPECT_NEAR(error.back(), std::sqrt(variance) / strata,
+                    0.12 * std::sqrt(variance) / strata + mapTolerance(1024))
+            << strata << " strata";
     }
-    EXPECT_NEAR(slope(effort, error), -1.0, 0.12);
+    EXPECT_NEAR(slope(sampleCount, error), -1.0, 0.12);
 }
 
 /// Brute force looks at M evenly spaced instants: each end of an interval is off by at most 1 / (2M), slope -1.
 TEST(Convergence, AccumulationFallsAsOneOverRenders) {
     const std::unique_ptr<Technique> technique = makeTechnique("accumulation", sharedRenderer().programs());
-    std::vector<double> effort, error;
+    std::vector<double> sampleCount, error;
     for (const int renders : {4, 8, 16, 32, 64}) {
         setFromText(*technique, "renders", std::to_string(renders));
         std::vector<double> means;
         // Shifts that no power of two divides, so that the ends fall anywhere between two instants.
-        for (int i = 0; i < 7; ++i) means.push_back(measure(*sweptPointScene(-0.43 + 0.137 * i), *technique, 1, 1024, 1).mean);
-        effort.push_back(renders);
+        for (int i = 0; i < 7; ++i)
+            means.push_back(measure(*sweptPointScene(-0.43 + 0.137 * i), *technique, 1, 1024, 1).mean);
+        sampleCount.push_back(renders);
         error.push_back(rootMeanSquare(means, 0.6));
         for (const double mean : means) EXPECT_NEAR(mean, 0.6, 1.0 / renders + mapTolerance(1024));
     }
-    EXPECT_NEAR(slope(effort, error), -1.0, 0.35);
+    EXPECT_NEAR(slope(sampleCount, error), -1.0, 0.35);
 }
 
 /// Row 9 with a bias: a receiver that approaches the light by v per shutter is in its own shadow on
@@ -158,12 +165,14 @@ TEST(PredictedFailure, TsmSelfShadowFollowsItsFormula) {
             const Measurement m = measure(*c.scene, *technique, strata, 1024, 3);
             // Independent texels: the receiver is 0.7 tall, and at its farthest covers the fewest.
             const double columns = 0.7 / (9.0 * 2.0 * std::tan(0.62)) * 1024;
-            EXPECT_NEAR(m.mean, 1.0 - shadow, samplingTolerance(0.5, strata, columns) + 0.01) << strata << " strata, bias " << bias;
+            EXPECT_NEAR(m.mean, 1.0 - shadow, samplingTolerance(0.5, strata, columns) + 0.01)
+                << strata << " strata, bias " << bias;
         }
     }
 }
 
-/// Equation 12 of Andersson et al. 2015 moves the map's depth to the receiver's time: nothing is left of the self-shadow.
+/// Equation 12 of Andersson et al. 2015 moves the map's depth to the receiver's time: nothing is left of the
+/// self-shadow.
 TEST(PredictedFailure, DynamicBiasEndsTheSelfShadow) {
     const ClosedFormCase& c = closedFormCase("approaching_self");
     const std::unique_ptr<Technique> technique = makeTechnique("tsm", sharedRenderer().programs());
@@ -174,6 +183,6 @@ TEST(PredictedFailure, DynamicBiasEndsTheSelfShadow) {
     EXPECT_NEAR(measure(*swept.scene, *technique, 8, 1024, 3).mean, 0.6, 0.02);
 }
 
-} // namespace
+}  // namespace
 
-} // namespace timeshade
+}  // namespace timeshade

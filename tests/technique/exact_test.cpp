@@ -1,5 +1,5 @@
-// `exact` is right whatever its grid: the same answers for every number of cells and buckets, every map, and for lists that had
-// to be made coarser; and right by the oracle, in scenes where everything moves.
+// `exact` is right whatever its grid: the same answers for every number of cells and buckets, every map, and for lists
+// that had to be made coarser; and right by the oracle, in scenes where everything moves.
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -26,20 +26,23 @@ class Exact : public testing::TestWithParam<Kind> {};
 
 TEST_P(Exact, AgreesWithTheOracle) {
     for (const unsigned seed : {1u, 2u, 3u}) {
-        const std::unique_ptr<ProceduralScene> scene =
-            makeMovingScene({.quads = 40, .seed = seed, .cameraTurns = GetParam().cameraTurns, .directionalLight = GetParam().directional});
+        const std::unique_ptr<ProceduralScene> scene = makeMovingScene({.quads = 40,
+                                                                        .seed = seed,
+                                                                        .cameraTurns = GetParam().cameraTurns,
+                                                                        .directionalLight = GetParam().directional});
         const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(96, 72, 4, 128, seed));
         const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
         const Verification v = verifyFrame(sharedRenderer(), plan, *exact, {});
         EXPECT_GT(v.tested, 200u);
-        EXPECT_EQ(v.disagree(), v.marginal) << "seed " << seed << ": " << v.falseShadow << " false shadow, " << v.falseLit << " false lit";
+        EXPECT_EQ(v.disagree(), v.marginal)
+            << "seed " << seed << ": " << v.falseShadow << " false shadow, " << v.falseLit << " false lit";
         EXPECT_LE(v.disagree(), 1u + v.tested / 20000u);
     }
 }
 
 TEST_P(Exact, GridAndMapChangeNothing) {
-    const std::unique_ptr<ProceduralScene> scene = makeMovingScene({.quads = 40, .seed = 9, .cameraTurns = GetParam().cameraTurns,
-                                                                    .directionalLight = GetParam().directional});
+    const std::unique_ptr<ProceduralScene> scene = makeMovingScene(
+        {.quads = 40, .seed = 9, .cameraTurns = GetParam().cameraTurns, .directionalLight = GetParam().directional});
     std::vector<float> first;
     const auto draw = [&](int mapSize, const char* side, const char* buckets) {
         const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(96, 72, 4, mapSize, 9));
@@ -56,12 +59,14 @@ TEST_P(Exact, GridAndMapChangeNothing) {
     for (const char* buckets : {"1", "2", "3", "8", "31", "32"}) draw(256, "64", buckets);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Exact,
-                         testing::Values(Kind{false, false}, Kind{true, false}, Kind{false, true}));
+INSTANTIATE_TEST_SUITE_P(Kinds, Exact, testing::Values(Kind{false, false}, Kind{true, false}, Kind{false, true}));
 
-std::size_t figureOf(const Technique& exact, const std::string& name) {
-    const std::vector<TechniqueFigure> figures = exact.figures();
-    return static_cast<std::size_t>(std::find_if(figures.begin(), figures.end(), [&](const TechniqueFigure& figure) { return figure.name == name; })->value);
+std::size_t statisticOf(const Technique& exact, const std::string& name) {
+    const std::vector<TechniqueStatistic> statistics = exact.statistics();
+    return static_cast<std::size_t>(
+        std::find_if(statistics.begin(), statistics.end(), [&](const TechniqueStatistic& figure) {
+            return figure.name == name;
+        })->value);
 }
 
 class ExactLists : public testing::TestWithParam<CrowdedSceneOptions> {};
@@ -79,23 +84,28 @@ TEST_P(ExactLists, LeaveOutWhatMakesNoDifference) {
         const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
         const Verification v = verifyFrame(sharedRenderer(), plan, *exact, {});
         EXPECT_GT(v.tested, 2000u);
-        EXPECT_EQ(v.disagree(), v.marginal) << "seed " << options.seed << ": " << v.falseShadow << " false shadow, " << v.falseLit << " false lit";
+        EXPECT_EQ(v.disagree(), v.marginal)
+            << "seed " << options.seed << ": " << v.falseShadow << " false shadow, " << v.falseLit << " false lit";
         EXPECT_LE(v.disagree(), 2u + v.tested / 20000u);
-        facingAway += figureOf(*exact, "left out, facing away");
-        EXPECT_EQ(figureOf(*exact, "left out, nothing behind") > 0u, options.overTheGround);
+        facingAway += statisticOf(*exact, "culled: facing away");
+        EXPECT_EQ(statisticOf(*exact, "culled: no receiver behind") > 0u, options.overTheGround);
         setFromText(*exact, "list_all", "on");
         EXPECT_EQ(verifyFrame(sharedRenderer(), plan, *exact, {}).shadowed, v.shadowed);
-        EXPECT_EQ(figureOf(*exact, "left out, facing away") + figureOf(*exact, "left out, nothing behind"), 0u);
+        EXPECT_EQ(statisticOf(*exact, "culled: facing away") + statisticOf(*exact, "culled: no receiver behind"), 0u);
     }
     EXPECT_GT(facingAway, 1500u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Crowds, ExactLists,
-                         testing::Values(CrowdedSceneOptions{1}, CrowdedSceneOptions{2, true}, CrowdedSceneOptions{3, false, true}, CrowdedSceneOptions{4, true, true},
-                                         CrowdedSceneOptions{5, false, false, true}, CrowdedSceneOptions{6, false, false, false, true},
-                                         CrowdedSceneOptions{7, false, false, false, false, true}, CrowdedSceneOptions{8, true, false, false, false, true}));
+                         testing::Values(CrowdedSceneOptions{1}, CrowdedSceneOptions{2, true},
+                                         CrowdedSceneOptions{3, false, true}, CrowdedSceneOptions{4, true, true},
+                                         CrowdedSceneOptions{5, false, false, true},
+                                         CrowdedSceneOptions{6, false, false, false, true},
+                                         CrowdedSceneOptions{7, false, false, false, false, true},
+                                         CrowdedSceneOptions{8, true, false, false, false, true}));
 
-/// With TIMESHADE_FULL_SIZE set: pictures as the program draws them when it is asked for nothing else, and all grids. Takes minutes.
+/// With TIMESHADE_FULL_SIZE set: pictures as the program draws them when it is asked for nothing else, and all grids.
+/// Takes minutes.
 bool atFullSize() { return std::getenv("TIMESHADE_FULL_SIZE") != nullptr; }
 
 class ExactOnScenes : public testing::TestWithParam<const char*> {};
@@ -125,7 +135,8 @@ TEST_P(ExactOnScenes, GridAndMapChangeNothing) {
         for (const int count : buckets) draw(mapSize, count);
 }
 
-INSTANTIATE_TEST_SUITE_P(Three, ExactOnScenes, testing::Values("chess", "octopus", "pillars"), [](const auto& given) { return std::string(given.param); });
+INSTANTIATE_TEST_SUITE_P(Three, ExactOnScenes, testing::Values("chess", "octopus", "pillars"),
+                         [](const auto& given) { return std::string(given.param); });
 
 /// Lists that do not fit are made with larger cells, and still hold every triangle that they must.
 TEST(CandidateGrid, GrowsCoarserUntilItsListsFit) {
@@ -134,15 +145,15 @@ TEST(CandidateGrid, GrowsCoarserUntilItsListsFit) {
     const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
     sharedRenderer().draw(plan, *exact, View::Visibility);  // leaves the frame's uniforms and the mesh bound
     CandidateGrid grid(sharedRenderer().programs());
-    grid.build(plan, plan.casters.moving, {256, 4, 0.0, 0.0});
+    grid.build(plan, plan.casters.dynamicCasters, {256, 4, 0.0, 0.0});
     EXPECT_FALSE(grid.coarsened());
     const std::size_t entries = grid.entries();
-    grid.build(plan, plan.casters.moving, {256, 4, 0.0, 0.0}, entries / 3);
+    grid.build(plan, plan.casters.dynamicCasters, {256, 4, 0.0, 0.0}, entries / 3);
     EXPECT_TRUE(grid.coarsened());
     EXPECT_LT(grid.side(), 256);
     EXPECT_LE(grid.entries(), entries / 3);
     EXPECT_GT(grid.entries(), 0u);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -9,7 +9,9 @@
 namespace timeshade {
 namespace {
 
-void fill(const gl::Texture& texture, const glm::vec4& value) { glClearTexImage(texture.name(), 0, GL_RGBA, GL_FLOAT, &value.x); }
+void fill(const gl::Texture& texture, const glm::vec4& value) {
+    glClearTexImage(texture.name(), 0, GL_RGBA, GL_FLOAT, &value.x);
+}
 
 /// Row 35: whatever lies in the history that can't be true is as if it were not there.
 TEST(HistoryBroken, NothingThatIsNoNumberSurvives) {
@@ -17,20 +19,25 @@ TEST(HistoryBroken, NothingThatIsNoNumberSurvives) {
     FramePlanner planner(*scene);
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     for (const bool published : {false, true})
-        for (const auto& [step, frames] : {std::pair(0.0, 3), std::pair(0.0, 20), std::pair(1.0, 3)}) {  // held; until pixels rest; with a camera that moves
+        for (const auto& [step, frames] : {std::pair(0.0, 3), std::pair(0.0, 20),
+                                           std::pair(1.0, 3)}) {  // held; until pixels rest; with a camera that moves
             const auto after = [&](const glm::vec4& poison) {
                 const auto technique = makeHistory();
                 setFromText(*technique, "as_published", published ? "on" : "off");
-                FrameRequest request = stillRequest(24, 18, 32);
-                for (int frame = 0; frame < frames; ++frame, request.frame += step) drawnLit(planner.plan(request), *technique);
+                FrameRequest request = staticRequest(24, 18, 32);
+                for (int frame = 0; frame < frames; ++frame, request.frame += step)
+                    drawnLit(planner.plan(request), *technique);
                 fill(technique->written(), poison);
                 return drawnLit(planner.plan(request), *technique);
             };
             const std::vector<float> clean = after(glm::vec4(0.0f));
-            for (const glm::vec4& poison : {glm::vec4(nan), glm::vec4(nan, 1.0f, 1.0f, 32.0f), glm::vec4(1.0f, nan, 1.0f, 32.0f), glm::vec4(1.0f, 1.0f, nan, 32.0f),
-                                            glm::vec4(1.0f, 1.0f, 1.0f, nan), glm::vec4(infinity), glm::vec4(-1.0f, 1.0f, 1.0f, 32.0f),
-                                            glm::vec4(2.0f, 1.0f, 1.0f, 32.0f), glm::vec4(1.0f, infinity, 1.0f, 32.0f)})
-                EXPECT_EQ(after(poison), clean) << poison.x << " " << poison.y << " " << poison.z << " " << poison.w << " step " << step;
+            for (const glm::vec4& poison :
+                 {glm::vec4(nan), glm::vec4(nan, 1.0f, 1.0f, 32.0f), glm::vec4(1.0f, nan, 1.0f, 32.0f),
+                  glm::vec4(1.0f, 1.0f, nan, 32.0f), glm::vec4(1.0f, 1.0f, 1.0f, nan), glm::vec4(infinity),
+                  glm::vec4(-1.0f, 1.0f, 1.0f, 32.0f), glm::vec4(2.0f, 1.0f, 1.0f, 32.0f),
+                  glm::vec4(1.0f, infinity, 1.0f, 32.0f)})
+                EXPECT_EQ(after(poison), clean)
+                    << poison.x << " " << poison.y << " " << poison.z << " " << poison.w << " step " << step;
         }
 }
 
@@ -39,7 +46,7 @@ TEST(HistoryBroken, ATeleportedCameraHasNoPast) {
     const auto scene = boardScene();
     FramePlanner planner(*scene);
     const auto technique = makeHistory(), other = makeHistory();
-    FrameRequest request = stillRequest(24, 18, 32);
+    FrameRequest request = staticRequest(24, 18, 32);
     FrameRequest elsewhere = request;
     elsewhere.cameraPose = scene->cameraOpen;
     elsewhere.cameraPose->eye += glm::dvec3(-3.0, 2.0, 0.5);
@@ -54,7 +61,7 @@ TEST(HistoryBroken, EverySizeBeginsAnew) {
     FramePlanner planner(*scene);
     const auto technique = makeHistory();
     for (int frame = 0; frame < 12; ++frame) {
-        FrameRequest request = stillRequest(16 + 5 * (frame % 4), 12 + 3 * (frame % 3), 32);
+        FrameRequest request = staticRequest(16 + 5 * (frame % 4), 12 + 3 * (frame % 3), 32);
         request.frame = frame;
         const std::vector<float> lit = drawnLit(planner.plan(request), *technique);
         EXPECT_EQ(lit, drawnLit(planner.plan(request), *makeHistory())) << "frame " << frame;
@@ -65,8 +72,10 @@ TEST(HistoryBroken, ScrubbingAndSettingsBeginAnew) {
     const auto scene = boardScene();
     FramePlanner planner(*scene);
     const auto technique = makeHistory();
-    FrameRequest request = stillRequest(24, 18, 32);
-    const auto equalsFresh = [&] { return drawnLit(planner.plan(request), *technique) == drawnLit(planner.plan(request), *makeHistory()); };
+    FrameRequest request = staticRequest(24, 18, 32);
+    const auto equalsFresh = [&] {
+        return drawnLit(planner.plan(request), *technique) == drawnLit(planner.plan(request), *makeHistory());
+    };
     for (request.frame = 5.0; request.frame < 9.0; request.frame += 1.0) drawnLit(planner.plan(request), *technique);
     EXPECT_FALSE(equalsFresh()) << "the test would show nothing";
     request.frame = 2.0;
@@ -81,5 +90,5 @@ TEST(HistoryBroken, ScrubbingAndSettingsBeginAnew) {
     EXPECT_TRUE(equalsFresh()) << "told to forget";
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

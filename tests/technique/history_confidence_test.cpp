@@ -27,17 +27,19 @@ TEST(Confidence, WeightsHaveTheirClosedFormMean) {
         constexpr int side = 400;
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x)
-                sum += static_cast<double>(shared::confidenceWeight(shared::shadowTestConfidence((glm::vec2(x, y) + 0.5f) / static_cast<float>(side)), m));
+                sum += static_cast<double>(shared::confidenceWeight(
+                    shared::shadowTestConfidence((glm::vec2(x, y) + 0.5f) / static_cast<float>(side)), m));
         const double exact = 2.0 / ((static_cast<double>(m) + 1.0) * (static_cast<double>(m) + 2.0));
         EXPECT_NEAR(sum / (side * side), exact, 2e-3 * exact) << m;
         EXPECT_NEAR(exact * static_cast<double>(shared::confidenceWeightScale(m)), 1.0, 1e-6);
     }
 }
 
-/// The view is equation 5 in the map as it is turned, shifted and fitted in this frame: computed again from the plan alone.
+/// The view is equation 5 in the map as it is turned, shifted and fitted in this frame: computed again from the plan
+/// alone.
 TEST(Confidence, IsThatOfTheTurnedMap) {
     const auto scene = boardScene();
-    const FramePlan plan = FramePlanner(*scene).plan(stillRequest(24, 18, 64));
+    const FramePlan plan = FramePlanner(*scene).plan(staticRequest(24, 18, 64));
     const auto technique = makeHistory();
     setFromText(*technique, "jitter", "2");
     setFromText(*technique, "try_triangles", "off");  // whose hits are sure anywhere
@@ -51,7 +53,8 @@ TEST(Confidence, IsThatOfTheTurnedMap) {
                 if (shown < 0.0f) continue;
                 const glm::vec3 pattern = shared::samplePattern(glm::uvec2(x, y), 0u, plan.block.seed, SALT_CAMERA);
                 const ViewEnd& camera = plan.camera.open;
-                const glm::dvec3 ray = camera.corner + camera.right * ((x + static_cast<double>(pattern.x)) / 24) + camera.up * ((y + static_cast<double>(pattern.y)) / 18);
+                const glm::dvec3 ray = camera.corner + camera.right * ((x + static_cast<double>(pattern.x)) / 24) +
+                                       camera.up * ((y + static_cast<double>(pattern.y)) / 18);
                 const glm::dvec3 onFloor = camera.eye - ray * ((camera.eye.z + plan.origin.z) / ray.z);
                 const glm::dvec3 h = map * glm::dvec3(onMapPlane(plan.light, onFloor), 1.0);
                 const glm::dvec2 texel = glm::dvec2(h) / h.z * 64.0;
@@ -84,11 +87,12 @@ TEST(Smoothing, EffectiveSamplesFollowTheirFormula) {
         }
         const double limit = 4.0 * (2.0 * m + 1.0) / (m + 2.0) - 1.0;
         const double ofSums = 4.0 * (2.0 * m + 1.0) / ((m + 1.0) * (m + 2.0) * (m + 2.0)) * steps;
-        // The standard error of a variance over 4,000 chains is 2.2 %; at m = 15 some chains have hardly begun after 300 frames.
+        // The standard error of a variance over 4,000 chains is 2.2 %; at m = 15 some chains have hardly begun after
+        // 300 frames.
         EXPECT_NEAR(chains / smoothedSquares, limit, 0.10 * limit) << "m = " << m;
         EXPECT_NEAR(chains / sumSquares, ofSums, 0.20 * ofSums) << "m = " << m;
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

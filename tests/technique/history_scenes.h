@@ -6,16 +6,17 @@
 #include <vector>
 
 #include "cases/procedural_scene.h"
-#include "measure/truth_technique.h"
+#include "measure/reference_technique.h"
 #include "shared/hash.shared.h"
 #include "support/gl_environment.h"
 #include "techniques/history/history_shadow.h"
 
 namespace timeshade {
 
-/// A board that stands askew over a large floor; the light shines down from beside, the camera looks at the shadow at a slant.
-/// `boardStep` and `cameraStep`: how far they go in a second, which is a frame.
-inline std::shared_ptr<ProceduralScene> boardScene(glm::dvec3 boardStep = glm::dvec3(0.0), glm::dvec3 cameraStep = glm::dvec3(0.0)) {
+/// A board that stands askew over a large floor; the light shines down from beside, the camera looks at the shadow at a
+/// slant. `boardStep` and `cameraStep`: how far they go in a second, which is a frame.
+inline std::shared_ptr<ProceduralScene> boardScene(glm::dvec3 boardStep = glm::dvec3(0.0),
+                                                   glm::dvec3 cameraStep = glm::dvec3(0.0)) {
     auto scene = std::make_shared<ProceduralScene>();
     scene->quads.push_back(slidingQuad({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 6.0, -6.0, 6.0));
     MovingQuad board{};
@@ -42,13 +43,15 @@ inline std::shared_ptr<ProceduralScene> boardScene(glm::dvec3 boardStep = glm::d
     return scene;
 }
 
-inline FrameRequest stillRequest(int width, int height, int mapSize) {
+inline FrameRequest staticRequest(int width, int height, int mapSize) {
     FrameRequest request = ProceduralScene::request(width, height, 1, mapSize, 1);
     request.shutter.length = 0.0;
     return request;
 }
 
-inline std::unique_ptr<HistoryShadow> makeHistory() { return std::make_unique<HistoryShadow>(sharedRenderer().programs()); }
+inline std::unique_ptr<HistoryShadow> makeHistory() {
+    return std::make_unique<HistoryShadow>(sharedRenderer().programs());
+}
 
 /// One jittered map's answers, without a history.
 inline std::unique_ptr<HistoryShadow> makeJitteredMap() {
@@ -63,7 +66,7 @@ inline std::vector<float> drawnLit(const FramePlan& plan, Technique& technique) 
 }
 
 inline std::vector<float> truthOf(const FramePlan& plan) {
-    TruthTechnique truth;
+    ReferenceTechnique truth;
     return drawnLit(plan, truth);
 }
 
@@ -82,4 +85,4 @@ class Lots {
     std::uint32_t count_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

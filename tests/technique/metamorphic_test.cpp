@@ -28,7 +28,8 @@ std::shared_ptr<const Scene> randomScene(std::uint32_t seed) {
     };
     for (int i = 0; i < 20; ++i) {
         const glm::dvec3 a = point(), b = a + glm::dvec3(number(-1, 1), number(-1, 1), number(-0.5f, 0.5f));
-        const glm::dvec3 right(number(0.2f, 0.7f), number(-0.3f, 0.3f), number(-0.3f, 0.3f)), up(number(-0.3f, 0.3f), number(0.2f, 0.7f), number(-0.3f, 0.3f));
+        const glm::dvec3 right(number(0.2f, 0.7f), number(-0.3f, 0.3f), number(-0.3f, 0.3f)),
+            up(number(-0.3f, 0.3f), number(0.2f, 0.7f), number(-0.3f, 0.3f));
         MovingQuad quad{};
         for (int c = 0; c < 4; ++c) {
             const double s = c == 1 || c == 2 ? 1.0 : -1.0, t = c >= 2 ? 1.0 : -1.0;
@@ -50,7 +51,9 @@ std::shared_ptr<const Scene> randomScene(std::uint32_t seed) {
 std::shared_ptr<const Scene> sceneOf(const std::string& name) {
     static std::map<std::string, std::shared_ptr<const Scene>> known;
     std::shared_ptr<const Scene>& scene = known[name];
-    if (!scene) scene = name.rfind("random", 0) == 0 ? randomScene(static_cast<std::uint32_t>(name.back())) : std::shared_ptr<const Scene>(openScene(name, ""));
+    if (!scene)
+        scene = name.rfind("random", 0) == 0 ? randomScene(static_cast<std::uint32_t>(name.back()))
+                                             : std::shared_ptr<const Scene>(openScene(name, ""));
     return scene;
 }
 
@@ -96,7 +99,8 @@ using Parameters = std::tuple<std::string, std::string>;
 class Metamorphic : public testing::TestWithParam<Parameters> {
   protected:
     Metamorphic()
-        : technique_(makeTechnique(std::get<0>(GetParam()), sharedRenderer().programs())), scene_(sceneOf(std::get<1>(GetParam()))),
+        : technique_(makeTechnique(std::get<0>(GetParam()), sharedRenderer().programs())),
+          scene_(sceneOf(std::get<1>(GetParam()))),
           request_(requestOf(*scene_)) {
         if (std::get<0>(GetParam()) == "accumulation") setFromText(*technique_, "renders", "8");
         // A map fitted to the picture is another map, with other texels, whenever the picture is another one.
@@ -108,7 +112,8 @@ class Metamorphic : public testing::TestWithParam<Parameters> {
     /// Only the last render of several is compared sample by sample; it has as good a time as any.
     double ppmOf(const Scene& changed) {
         const double ppm = changedPpm(original_, draw(changed, request_, *technique_));
-        if (atFullSize()) std::printf("%s %s: %.1f ppm\n", std::get<0>(GetParam()).c_str(), std::get<1>(GetParam()).c_str(), ppm);
+        if (atFullSize())
+            std::printf("%s %s: %.1f ppm\n", std::get<0>(GetParam()).c_str(), std::get<1>(GetParam()).c_str(), ppm);
         return ppm;
     }
 
@@ -129,14 +134,16 @@ TEST_P(Metamorphic, FarScaledAndTurnedWorlds) {
     EXPECT_LE(ppmOf(ChangedScene(scene_, {1e-3, glm::dmat3(1.0), glm::dvec3(0.0)})), allowedPpm) << "scaled by 1e-3";
     EXPECT_LE(ppmOf(ChangedScene(scene_, {1e3, glm::dmat3(1.0), glm::dvec3(0.0)})), allowedPpm) << "scaled by 1e3";
     const double c = std::cos(0.7), s = std::sin(0.7);
-    const glm::dmat3 turn = glm::dmat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0) * glm::dmat3(1.0, 0.0, 0.0, 0.0, c, s, 0.0, -s, c);
+    const glm::dmat3 turn =
+        glm::dmat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0) * glm::dmat3(1.0, 0.0, 0.0, 0.0, c, s, 0.0, -s, c);
     EXPECT_LE(ppmOf(ChangedScene(scene_, {1.0, turn, glm::dvec3(0.0)})), 3.0 * allowedPpm) << "turned";
 }
 
 TEST_P(Metamorphic, TheSameSurfaceOtherwiseCut) {
     if (!supported_) GTEST_SKIP();
     EXPECT_LE(ppmOf(ChangedScene(scene_, {}, withCornersTurned)), allowedPpm) << "corners turned";
-    // A technique that carries a triangle's edge on across the texel carries on another edge then: within its own error, a few per mille here.
+    // A technique that carries a triangle's edge on across the texel carries on another edge then: within its own
+    // error, a few per mille here.
     const double allowed = technique_->samplingTraits().extendsToReceiver ? 5000.0 : 3.0 * allowedPpm;
     EXPECT_LE(ppmOf(ChangedScene(scene_, {}, subdivided)), allowed) << "each triangle in four";
     EXPECT_LE(ppmOf(ChangedScene(scene_, {}, withDiagonalsTurned)), allowed) << "quads cut along the other diagonal";
@@ -146,18 +153,23 @@ TEST(OtherDiagonal, IsTurnedInEveryQuadOnce) {
     const std::shared_ptr<const Scene> scene = sceneOf("random1");
     const MotionMesh mesh = scene->motionMesh(0.0, 1.0), turned = withDiagonalsTurned(mesh);
     ASSERT_EQ(turned.topology->triangles.size(), mesh.topology->triangles.size());
-    for (std::size_t i = 0; i < turned.topology->triangles.size(); ++i) EXPECT_NE(turned.topology->triangles[i], mesh.topology->triangles[i]);
-    EXPECT_NE(withDiagonalsTurned(sceneOf("pillars")->motionMesh(0.0, 0.02)).topology->triangles, sceneOf("pillars")->motionMesh(0.0, 0.02).topology->triangles);
+    for (std::size_t i = 0; i < turned.topology->triangles.size(); ++i)
+        EXPECT_NE(turned.topology->triangles[i], mesh.topology->triangles[i]);
+    EXPECT_NE(withDiagonalsTurned(sceneOf("pillars")->motionMesh(0.0, 0.02)).topology->triangles,
+              sceneOf("pillars")->motionMesh(0.0, 0.02).topology->triangles);
 }
 
 TEST_P(Metamorphic, TimeBackwardsAndInHalves) {
     if (!supported_) GTEST_SKIP();
     // Other samples of the same mean: four standard errors, the samples of a pixel being tied to nothing else.
     const double noise = 4.0 * 0.5 / std::sqrt(static_cast<double>(original_.lit.size())) + 0.002;
-    const double open = request_.shutter.openSeconds(request_.frame), close = request_.shutter.closeSeconds(request_.frame);
+    const double open = request_.shutter.openSeconds(request_.frame),
+                 close = request_.shutter.closeSeconds(request_.frame);
     ChangedScene backwards(scene_);
     backwards.reverse(open, close);
-    if (technique_->renders() == 1) { EXPECT_NEAR(draw(backwards, request_, *technique_).mean(), original_.mean(), noise); }
+    if (technique_->renders() == 1) {
+        EXPECT_NEAR(draw(backwards, request_, *technique_).mean(), original_.mean(), noise);
+    }
     if (technique_->samplingTraits().times == SamplingTraits::Times::OneInstant || technique_->renders() > 1) return;
     FrameRequest half = request_;
     half.shutter.length *= 0.5;
@@ -173,10 +185,14 @@ TEST_P(Metamorphic, ACasterMoreNeverBrightens) {
     // A quad between the light and the middle of the scene, out of nobody's way.
     const LightPose light = scene_->light(request_.shutter.openSeconds(request_.frame));
     const Bounds& bounds = scene_->bounds();
-    const glm::dvec3 towards = light.kind == LightKind::Directional ? light.axes[2] * bounds.diagonal() : light.position - bounds.centre();
-    const glm::dvec3 middle = bounds.centre() + 0.25 * towards, x = 0.05 * bounds.diagonal() * light.axes[0], y = 0.05 * bounds.diagonal() * light.axes[1];
+    const glm::dvec3 towards =
+        light.kind == LightKind::Directional ? light.axes[2] * bounds.diagonal() : light.position - bounds.centre();
+    const glm::dvec3 middle = bounds.centre() + 0.25 * towards, x = 0.05 * bounds.diagonal() * light.axes[0],
+                     y = 0.05 * bounds.diagonal() * light.axes[1];
     const glm::dvec3 corners[4] = {middle - x - y, middle + x - y, middle + x + y, middle - x + y};
-    const Drawn with = draw(ChangedScene(scene_, {}, [&](MotionMesh mesh) { return withQuad(std::move(mesh), corners); }), request_, *technique_);
+    const Drawn with =
+        draw(ChangedScene(scene_, {}, [&](MotionMesh mesh) { return withQuad(std::move(mesh), corners); }), request_,
+             *technique_);
     std::size_t brighter = 0, darker = 0;
     for (std::size_t i = 0; i < with.lit.size(); ++i) {
         if (with.ids[i] != original_.ids[i]) continue;
@@ -184,7 +200,9 @@ TEST_P(Metamorphic, ACasterMoreNeverBrightens) {
         darker += with.lit[i] < original_.lit[i] - 1e-3f ? 1u : 0u;
     }
     // A history answers for the whole pixel: where the new caster is seen, the pixel's other samples share its light.
-    const double allowed = light.kind == LightKind::Directional ? 1e4 : std::get<0>(GetParam()) == "history" ? 1e3 : 0.0;
+    const double allowed = light.kind == LightKind::Directional   ? 1e4
+                           : std::get<0>(GetParam()) == "history" ? 1e3
+                                                                  : 0.0;
     EXPECT_LE(1e6 * static_cast<double>(brighter) / static_cast<double>(with.lit.size()), allowed);
     EXPECT_GT(darker, 0u) << "the caster casts nothing: this shows nothing";
 }
@@ -196,8 +214,11 @@ std::vector<std::string> techniqueNames() {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllTechniques, Metamorphic,
-                         testing::Combine(testing::ValuesIn(techniqueNames()), testing::Values("chess", "octopus", "pillars", "random1", "random2")),
-                         [](const testing::TestParamInfo<Parameters>& test) { return std::get<0>(test.param) + "_" + std::get<1>(test.param); });
+                         testing::Combine(testing::ValuesIn(techniqueNames()),
+                                          testing::Values("chess", "octopus", "pillars", "random1", "random2")),
+                         [](const testing::TestParamInfo<Parameters>& test) {
+                             return std::get<0>(test.param) + "_" + std::get<1>(test.param);
+                         });
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

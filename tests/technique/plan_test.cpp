@@ -1,5 +1,5 @@
-// The plan simulates only what a scene calls for, and nobody may see it: pictures with the plan and what it keeps, drawn in a row, are
-// those of --no-plan, drawn alone.
+// The plan simulates only what a scene calls for, and nobody may see it: pictures with the plan and what it keeps,
+// drawn in a row, are those of --no-plan, drawn alone.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ const std::vector<std::string> techniques{"static", "tsm", "accumulation", "rang
 
 /// Two renderers, so that what one keeps is not disturbed by the other.
 FrameRenderer& plannedRenderer() { return sharedRenderer(); }
-FrameRenderer& unplannedRenderer() {
+FrameRenderer& forcedRenderer() {
     static FrameRenderer renderer;
     return renderer;
 }
@@ -41,8 +41,8 @@ struct Difference {
     }
 };
 
-FramePlan unplanned(const Scene& scene, FrameRequest request) {
-    request.planned = false;
+FramePlan forcedDynamic(const Scene& scene, FrameRequest request) {
+    request.forceDynamic = true;
     return FramePlanner(scene).plan(request);
 }
 
@@ -56,7 +56,7 @@ struct Sequence {
     void choose(const std::string& name) {
         techniqueName = name;
         planned = makeTechnique(name, plannedRenderer().programs());
-        plain = makeTechnique(name, unplannedRenderer().programs());
+        plain = makeTechnique(name, forcedRenderer().programs());
         if (name == "accumulation") set("renders", "3");
     }
     void set(const std::string& key, const std::string& text) {
@@ -85,22 +85,25 @@ std::string disturb(Sequence& s, AwkwardNumbers& numbers) {
         if (s.techniqueName == "tsm") s.set("dynamic_bias", numbers.oneIn(2) ? "1" : "0");
         if (s.techniqueName != "exact") s.set("bias", numbers.oneIn(2) ? "0.5" : "1.5");
         return "setting";
-    case 9: s.request.keeps = !s.request.keeps; return "keeping";
+    case 9: s.request.useCaches = !s.request.useCaches; return "keeping";
     case 10: return "held";  // the same moment again
-    default: s.request.frame = std::fmod(s.request.frame + 1.0, static_cast<double>(EventfulScene::frames)); return "next";
+    default:
+        s.request.frame = std::fmod(s.request.frame + 1.0, static_cast<double>(EventfulScene::frames));
+        return "next";
     }
 }
 
 class PlanOfTechnique : public testing::TestWithParam<std::string> {};
 
-/// 84 sequences of 6 frames for each of six techniques. Where two differ, rounding decided: a texel whose middle lies on an edge, a depth that all but
-/// equals the receiver's.
+/// 84 sequences of 6 frames for each of six techniques. Where two differ, rounding decided: a texel whose middle lies
+/// on an edge, a depth that all but equals the receiver's.
 TEST_P(PlanOfTechnique, RandomSequencesLookAsIfNothingWerePlanned) {
     constexpr std::uint32_t sequences = 84;
     constexpr int framesEach = 6;
-    const auto which = static_cast<std::uint32_t>(std::find(techniques.begin(), techniques.end(), GetParam()) - techniques.begin());
+    const auto which =
+        static_cast<std::uint32_t>(std::find(techniques.begin(), techniques.end(), GetParam()) - techniques.begin());
     Difference difference;
-    std::size_t keptFrames = 0;
+    std::size_t cachedFrames = 0;
     for (std::uint32_t i = 0; i < sequences; ++i) {
         AwkwardNumbers numbers(1000 * which + i);
         Sequence s;
@@ -111,24 +114,27 @@ TEST_P(PlanOfTechnique, RandomSequencesLookAsIfNothingWerePlanned) {
         for (int frame = 0; frame < framesEach; ++frame) {
             const FramePlan plan = s.planner->plan(s.request);
             plannedRenderer().draw(plan, *s.planned, View::Visibility);
-            unplannedRenderer().draw(unplanned(*s.scene, s.request), *s.plain, View::Visibility);
+            forcedRenderer().draw(forcedDynamic(*s.scene, s.request), *s.plain, View::Visibility);
             const std::size_t before = difference.lit + difference.ids;
-            difference.add(plannedRenderer(), unplannedRenderer());
-            EXPECT_LE(difference.lit + difference.ids, before + 12) << "sequence " << i << ", frame " << frame << ", " << s.techniqueName << ", after" << story;
-            keptFrames += plan.still.lit != 0 ? 1u : 0u;
+            difference.add(plannedRenderer(), forcedRenderer());
+            EXPECT_LE(difference.lit + difference.ids, before + 12)
+                << "sequence " << i << ", frame " << frame << ", " << s.techniqueName << ", after" << story;
+            cachedFrames += plan.versions.lit != 0 ? 1u : 0u;
             story += " " + disturb(s, numbers);
         }
     }
-    EXPECT_GT(keptFrames, 80u) << "too few frames in which anything could be kept";
-    const auto ppm = [&](std::size_t count) { return 1e6 * static_cast<double>(count) / static_cast<double>(difference.samples); };
-    fmt::print("{}: {:.2f} ppm of {} samples see another triangle, {:.2f} another light; kept in {} frames\n", GetParam(), ppm(difference.ids),
-               difference.samples, ppm(difference.lit), keptFrames);
+    EXPECT_GT(cachedFrames, 80u) << "too few frames in which anything could be kept";
+    const auto ppm = [&](std::size_t count) {
+        return 1e6 * static_cast<double>(count) / static_cast<double>(difference.samples);
+    };
+    fmt::print("{}: {:.2f} ppm of {} samples see another triangle, {:.2f} another light; kept in {} frames\n",
+               GetParam(), ppm(difference.ids), difference.samples, ppm(difference.lit), cachedFrames);
     EXPECT_LE(ppm(difference.ids), 5.0);
     EXPECT_LE(ppm(difference.lit), 5.0);
 }
 
-/// The scenes that come with the program, at 20 settings drawn at random: frame, samples, map, shutter, seed, bias. Each moment is drawn three times,
-/// so that what is kept is in use.
+/// The scenes that come with the program, at 20 settings drawn at random: frame, samples, map, shutter, seed, bias.
+/// Each moment is drawn three times, so that what is kept is in use.
 TEST_P(PlanOfTechnique, ScenesLookAsIfNothingWerePlanned) {
     AwkwardNumbers numbers(4711);
     const std::vector<std::string> names{"chess", "octopus", "pillars", "cubes", "rising"};
@@ -139,23 +145,29 @@ TEST_P(PlanOfTechnique, ScenesLookAsIfNothingWerePlanned) {
         Sequence s;
         s.choose(GetParam());
         const Scene& scene = *scenes[static_cast<std::size_t>(i) % scenes.size()];
-        s.request = ProceduralScene::request(160, 120, 1 + static_cast<int>(numbers.below(4)), numbers.oneIn(2) ? 256 : 512, numbers.below(100));
-        s.request.shutter = {scene.defaults().framesPerSecond, static_cast<double>(numbers.unit()), ShutterPosition::Start};
+        s.request = ProceduralScene::request(160, 120, 1 + static_cast<int>(numbers.below(4)),
+                                             numbers.oneIn(2) ? 256 : 512, numbers.below(100));
+        s.request.shutter = {scene.defaults().framesPerSecond, static_cast<double>(numbers.unit()),
+                             ShutterPosition::Start};
         s.request.frame = scene.defaults().frame + static_cast<double>(numbers.below(8));
         if (GetParam() != "exact" && numbers.oneIn(2)) s.set("bias", "1");
         FramePlanner planner(scene);
-        for (int again = 0; again < 3; ++again) plannedRenderer().draw(planner.plan(s.request), *s.planned, View::Visibility);
-        unplannedRenderer().draw(unplanned(scene, s.request), *s.plain, View::Visibility);
-        difference.add(plannedRenderer(), unplannedRenderer());
+        for (int again = 0; again < 3; ++again)
+            plannedRenderer().draw(planner.plan(s.request), *s.planned, View::Visibility);
+        forcedRenderer().draw(forcedDynamic(scene, s.request), *s.plain, View::Visibility);
+        difference.add(plannedRenderer(), forcedRenderer());
     }
-    const auto ppm = [&](std::size_t count) { return 1e6 * static_cast<double>(count) / static_cast<double>(difference.samples); };
-    fmt::print("{}: {:.2f} ppm of {} samples see another triangle, {:.2f} another light\n", GetParam(), ppm(difference.ids), difference.samples,
-               ppm(difference.lit));
+    const auto ppm = [&](std::size_t count) {
+        return 1e6 * static_cast<double>(count) / static_cast<double>(difference.samples);
+    };
+    fmt::print("{}: {:.2f} ppm of {} samples see another triangle, {:.2f} another light\n", GetParam(),
+               ppm(difference.ids), difference.samples, ppm(difference.lit));
     EXPECT_LE(ppm(difference.ids), 5.0);
     EXPECT_LE(ppm(difference.lit), 5.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, PlanOfTechnique, testing::ValuesIn(techniques), [](const auto& each) { return each.param; });
+INSTANTIATE_TEST_SUITE_P(Techniques, PlanOfTechnique, testing::ValuesIn(techniques),
+                         [](const auto& each) { return each.param; });
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

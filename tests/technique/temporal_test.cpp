@@ -1,5 +1,6 @@
-// Temporal shadow maps on scenes whose lit share is known exactly: the repaired form is right to the texel, also where triangles turn; the
-// published form is wrong by as much as theory says. What the coverage map may and may not change, and what the lists cost.
+// Temporal shadow maps on scenes whose lit share is known exactly: the repaired form is right to the texel, also where
+// triangles turn; the published form is wrong by as much as theory says. What the coverage map may and may not change,
+// and what the lists cost.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,10 +31,13 @@ MovingQuad triangle(const Corners& open, const Corners& close) {
     return quad;
 }
 
-MovingQuad caster(double c0, double c1, double z = 5.0) { return slidingQuad({c0, 0.0, z}, {c1, 0.0, z}, 0.5, -0.4, 0.6); }
+MovingQuad caster(double c0, double c1, double z = 5.0) {
+    return slidingQuad({c0, 0.0, z}, {c1, 0.0, z}, 0.5, -0.4, 0.6);
+}
 
 /// Casters over a receiver so small that all of it has one answer.
-std::shared_ptr<ProceduralScene> over(const glm::dvec3& receiver, std::vector<MovingQuad> casters, double cameraHeight = 1.0) {
+std::shared_ptr<ProceduralScene> over(const glm::dvec3& receiver, std::vector<MovingQuad> casters,
+                                      double cameraHeight = 1.0) {
     auto scene = std::make_shared<ProceduralScene>();
     scene->quads = std::move(casters);
     scene->quads.push_back(slidingQuad(receiver, receiver, 0.002, -0.002, 0.002));
@@ -51,12 +55,14 @@ std::shared_ptr<ProceduralScene> over(const glm::dvec3& receiver, std::vector<Mo
 }
 
 std::shared_ptr<ProceduralScene> flipTriangle() {
-    return over({0.0, 0.2, 0.0}, {triangle({{{-1, -1, 5}, {1, -1, 5}, {0, 1, 5}}}, {{{-1, 1.5, 5}, {1, 1.5, 5}, {0, -2, 5}}})});
+    return over({0.0, 0.2, 0.0},
+                {triangle({{{-1, -1, 5}, {1, -1, 5}, {0, 1, 5}}}, {{{-1, 1.5, 5}, {1, 1.5, 5}, {0, -2, 5}}})});
 }
 
 std::shared_ptr<ProceduralScene> invertTriangle() {
     const double h = 0.5 * std::sqrt(3.0);
-    return over({0.4, 0.2, 0.0}, {triangle({{{1, 0, 5}, {-0.5, h, 5}, {-0.5, -h, 5}}}, {{{-1, 0, 5}, {0.5, -h, 5}, {0.5, h, 5}}})});
+    return over({0.4, 0.2, 0.0},
+                {triangle({{{1, 0, 5}, {-0.5, h, 5}, {-0.5, -h, 5}}}, {{{-1, 0, 5}, {0.5, -h, 5}, {0.5, h, 5}}})});
 }
 const double invertLit = 0.3 + 0.05 * std::sqrt(3.0);
 
@@ -67,9 +73,12 @@ std::shared_ptr<ProceduralScene> lightRecedes() {
 }
 
 /// The caster goes from distance 2 to 20; the receiver is 11 away.
-std::shared_ptr<ProceduralScene> rangeLerp() { return over({0.01, 0.02, -1.0}, {slidingQuad({0, 0, 8}, {0, 0, -10}, 1.0, -1.0, 1.0)}, 0.01); }
+std::shared_ptr<ProceduralScene> rangeLerp() {
+    return over({0.01, 0.02, -1.0}, {slidingQuad({0, 0, 8}, {0, 0, -10}, 1.0, -1.0, 1.0)}, 0.01);
+}
 
-/// Boards that fly, turn and bend over one another, some over the same place throughout, above a floor that rises a little.
+/// Boards that fly, turn and bend over one another, some over the same place throughout, above a floor that rises a
+/// little.
 std::shared_ptr<ProceduralScene> heap(std::uint32_t seed) {
     std::uint32_t state = seed;
     const auto number = [&](double low, double high) {
@@ -79,11 +88,13 @@ std::shared_ptr<ProceduralScene> heap(std::uint32_t seed) {
     auto scene = over({0, 0, 0}, {});
     scene->quads.clear();
     for (int i = 0; i < 40; ++i) {
-        const glm::dvec3 centre(number(-2, 2), number(-2, 2), number(1, 7)), way(number(-0.5, 0.5), number(-0.5, 0.5), number(-0.5, 0.5));
+        const glm::dvec3 centre(number(-2, 2), number(-2, 2), number(1, 7)),
+            way(number(-0.5, 0.5), number(-0.5, 0.5), number(-0.5, 0.5));
         const double width = number(0.3, 1.5), height = number(0.3, 1.5);
         MovingQuad quad = slidingQuad(centre, centre + way, width, -height, height);
         if (i % 2 == 1)
-            for (glm::dvec3& corner : quad.close) corner += glm::dvec3(number(-0.4, 0.4), number(-0.4, 0.4), number(-0.4, 0.4));
+            for (glm::dvec3& corner : quad.close)
+                corner += glm::dvec3(number(-0.4, 0.4), number(-0.4, 0.4), number(-0.4, 0.4));
         scene->quads.push_back(quad);
     }
     scene->quads.push_back(slidingQuad({0, 0, 0}, {0, 0, 0.2}, 5.0, -5.0, 5.0));
@@ -106,7 +117,8 @@ std::unique_ptr<Technique> temporal(const Options& options) {
 
 double litShare(Scene& scene, const Options& options, int mapSize = 1024, int width = side, int height = side) {
     const std::unique_ptr<Technique> technique = temporal(options);
-    sharedRenderer().draw(FramePlanner(scene).plan(ProceduralScene::request(width, height, strata, mapSize, 11)), *technique, View::Visibility);
+    sharedRenderer().draw(FramePlanner(scene).plan(ProceduralScene::request(width, height, strata, mapSize, 11)),
+                          *technique, View::Visibility);
     const std::vector<float> lit = sharedRenderer().readVisibility();
     double sum = 0.0;
     for (const float value : lit) sum += static_cast<double>(value);
@@ -114,7 +126,7 @@ double litShare(Scene& scene, const Options& options, int mapSize = 1024, int wi
 }
 
 double figure(const Technique& technique, const std::string& name) {
-    for (const TechniqueFigure& f : technique.figures())
+    for (const TechniqueStatistic& f : technique.statistics())
         if (f.name == name) return f.value;
     throw std::logic_error("no figure " + name);
 }
@@ -128,13 +140,25 @@ TEST(Temporal, TranslationsAreExactInBothForms) {
         const Options options{asPublished, false};
         EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1.25, 1.25)}), options), 0.6, tolerance) << "quad_sweeps_point";
         EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1.25, 0)}), options), 0.6, tolerance) << "quad_enters";
-        EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1, 4), caster(-3.5, 1.5)}), options), 0.6, 2.0 * tolerance) << "two_disjoint";
-        EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1, 4), caster(-1.5, 3.5, 6)}), options), 0.7, tolerance) << "two_overlap";
-        EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1.25, 1.25), caster(-1.25, 1.25), caster(-1.25, 1.25)}), options), 0.6, tolerance) << "triplicate";
-        EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1.25, 1.25), caster(1.25, -1.25)}), options), 0.6, tolerance) << "opposite_motion";
-        EXPECT_EQ(litShare(*over({0, 0, 0}, {triangle({{{-1, 0, 4}, {0, 0, 6}, {1, 0, 4}}}, {{{-1, 0, 5}, {0, 0, 7}, {1, 0, 5}}})}), options), 1.0) << "edge_on";
+        EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1, 4), caster(-3.5, 1.5)}), options), 0.6, 2.0 * tolerance)
+            << "two_disjoint";
+        EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1, 4), caster(-1.5, 3.5, 6)}), options), 0.7, tolerance)
+            << "two_overlap";
+        EXPECT_NEAR(
+            litShare(*over({0, 0, 0}, {caster(-1.25, 1.25), caster(-1.25, 1.25), caster(-1.25, 1.25)}), options), 0.6,
+            tolerance)
+            << "triplicate";
+        EXPECT_NEAR(litShare(*over({0, 0, 0}, {caster(-1.25, 1.25), caster(1.25, -1.25)}), options), 0.6, tolerance)
+            << "opposite_motion";
+        EXPECT_EQ(litShare(*over({0, 0, 0}, {triangle({{{-1, 0, 4}, {0, 0, 6}, {1, 0, 4}}},
+                                                      {{{-1, 0, 5}, {0, 0, 7}, {1, 0, 5}}})}),
+                           options),
+                  1.0)
+            << "edge_on";
         for (const char* name : {"light_slides", "receiver_slides", "light_and_receiver_slide"})
-            EXPECT_NEAR(litShare(*closedFormCase(name).scene, options, 1024, 4, 128), closedFormCase(name).exact, tolerance) << name;
+            EXPECT_NEAR(litShare(*closedFormCase(name).scene, options, 1024, 4, 128), closedFormCase(name).exact,
+                        tolerance)
+                << name;
     }
 }
 
@@ -144,7 +168,8 @@ TEST(Temporal, ManySliversAddUp) {
     const double speed = 20.0;
     for (int i = 0; i < count; ++i) {
         const double middle = (i + 0.25) / count;
-        casters.push_back(slidingQuad({-speed * middle, 0, 5}, {speed * (1.0 - middle), 0, 5}, 0.25 * speed / count, -0.05, 0.05));
+        casters.push_back(
+            slidingQuad({-speed * middle, 0, 5}, {speed * (1.0 - middle), 0, 5}, 0.25 * speed / count, -0.05, 0.05));
     }
     EXPECT_NEAR(litShare(*over({0.001, 0.002, 0.0}, casters), {}, 256), 0.5, 0.02);
 }
@@ -154,7 +179,9 @@ TEST(Temporal, RepairedIsRightWhereTrianglesTurn) {
         const Options options{false, coverageMap};
         EXPECT_NEAR(litShare(*flipTriangle(), options), 0.14, tolerance);
         EXPECT_NEAR(litShare(*invertTriangle(), options), invertLit, tolerance);
-        EXPECT_NEAR(litShare(*over({1.4, -1.4, 0.0}, {triangle({{{-.1, -.1, 5}, {.1, -.1, 5}, {0, .1, 5}}}, {{{-2, -2, 5}, {2, -2, 5}, {0, 2, 5}}})}), options),
+        EXPECT_NEAR(litShare(*over({1.4, -1.4, 0.0}, {triangle({{{-.1, -.1, 5}, {.1, -.1, 5}, {0, .1, 5}}},
+                                                               {{{-2, -2, 5}, {2, -2, 5}, {0, 2, 5}}})}),
+                             options),
                     6.0 / 19.0, tolerance)
             << "vertex_path";
     }
@@ -163,22 +190,28 @@ TEST(Temporal, RepairedIsRightWhereTrianglesTurn) {
 TEST(Temporal, RepairedIsRightUnderPerspective) {
     EXPECT_NEAR(litShare(*lightRecedes(), {}), 2.0 / 3.0, 2.0 * noise + 0.004);
     EXPECT_NEAR(litShare(*rangeLerp(), {}), 0.5, 2.0 * noise + 0.001);
-    EXPECT_NEAR(litShare(*over({0, 0, 0}, {slidingQuad({0, 0, 9.5}, {0, 0, 11}, 0.5, -0.4, 0.6)}), {}), 2.0 / 3.0, 2.0 * noise) << "past_the_light";
+    EXPECT_NEAR(litShare(*over({0, 0, 0}, {slidingQuad({0, 0, 9.5}, {0, 0, 11}, 0.5, -0.4, 0.6)}), {}), 2.0 / 3.0,
+                2.0 * noise)
+        << "past_the_light";
 }
 
 TEST(Temporal, PublishedFailsAsPredicted) {
     const Options published{true, false}, withCoverage{true, true};
-    EXPECT_NEAR(litShare(*flipTriangle(), published), 0.0, 0.01) << "first and last: the gap between two visits is lost";
+    EXPECT_NEAR(litShare(*flipTriangle(), published), 0.0, 0.01)
+        << "first and last: the gap between two visits is lost";
     EXPECT_NEAR(litShare(*invertTriangle(), published), 0.0, 0.01) << "the same";
-    EXPECT_NEAR(litShare(*invertTriangle(), withCoverage), 0.0, 0.01) << "both ends cover, so it is taken to cover throughout";
-    // The receiver's place in the map is 0.2 / (1 + u), the caster's edge goes from 0.25 to 0.25 / 3, evenly by hypothesis.
+    EXPECT_NEAR(litShare(*invertTriangle(), withCoverage), 0.0, 0.01)
+        << "both ends cover, so it is taken to cover throughout";
+    // The receiver's place in the map is 0.2 / (1 + u), the caster's edge goes from 0.25 to 0.25 / 3, evenly by
+    // hypothesis.
     const double meet = (1.0 + std::sqrt(1.0 + 4.0 * 2.0 * 0.6)) / 4.0;
     EXPECT_NEAR(litShare(*lightRecedes(), published), 1.0 - meet, 2.0 * noise + 0.01) << "times linear in the map";
     // 1 / d goes evenly from 1/2 to 1/20, and is 1/11 at u = 10/11.
     EXPECT_NEAR(litShare(*rangeLerp(), published), 1.0 / 11.0, 2.0 * noise + 0.001) << "window depth linear in time";
 }
 
-/// The triangle of row 14 covers the texel at both ends, and not between: the published coverage map claims it, the repaired one must not.
+/// The triangle of row 14 covers the texel at both ends, and not between: the published coverage map claims it, the
+/// repaired one must not.
 TEST(Temporal, OnlyThePublishedCoverageMapClaimsWhatIsNotCovered) {
     const auto scene = invertTriangle();
     const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(4, 4, 2, 256, 1));
@@ -193,7 +226,8 @@ TEST(Temporal, OnlyThePublishedCoverageMapClaimsWhatIsNotCovered) {
 }
 
 TEST(Temporal, ACubeTopIsLit) {
-    const glm::dvec3 corner[8] = {{-.5, -.5, -.5}, {.5, -.5, -.5}, {.5, .5, -.5}, {-.5, .5, -.5}, {-.5, -.5, .5}, {.5, -.5, .5}, {.5, .5, .5}, {-.5, .5, .5}};
+    const glm::dvec3 corner[8] = {{-.5, -.5, -.5}, {.5, -.5, -.5}, {.5, .5, -.5}, {-.5, .5, -.5},
+                                  {-.5, -.5, .5},  {.5, -.5, .5},  {.5, .5, .5},  {-.5, .5, .5}};
     const int faces[6][4] = {{4, 5, 6, 7}, {3, 2, 1, 0}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
     auto scene = over({0, 0, 0}, {});
     scene->quads.clear();
@@ -212,7 +246,8 @@ TEST(Temporal, ACubeTopIsLit) {
     EXPECT_EQ(litShare(*scene, {}), 1.0);
 }
 
-/// Without any bias, a sloping triangle that comes nearer is in front of half of its own points at their texels' centres.
+/// Without any bias, a sloping triangle that comes nearer is in front of half of its own points at their texels'
+/// centres.
 TEST(Temporal, ATriangleDoesNotShadowItself) {
     const Corners open{{{-1, -1, 1}, {1, -1, 1.5}, {0, 1, 2}}};
     Corners close = open;
@@ -227,7 +262,8 @@ TEST(Temporal, ATriangleDoesNotShadowItself) {
         const std::unique_ptr<Technique> technique = temporal({asPublished, false});
         setFromText(*technique, "bias", "0");
         setFromText(*technique, "slope_bias", "0");
-        sharedRenderer().draw(FramePlanner(*scene).plan(ProceduralScene::request(32, 32, 4, 64, 1)), *technique, View::Visibility);
+        sharedRenderer().draw(FramePlanner(*scene).plan(ProceduralScene::request(32, 32, 4, 64, 1)), *technique,
+                              View::Visibility);
         for (const float lit : sharedRenderer().readVisibility()) ASSERT_EQ(lit, 1.0f);
     }
 }
@@ -279,13 +315,15 @@ TEST(Temporal, MemoryIsWhatTheLayoutSays) {
             const std::unique_ptr<Technique> technique = temporal({asPublished, coverageMap});
             sharedRenderer().draw(plan, *technique, View::Visibility);
             EXPECT_GT(figure(*technique, "tuples"), 100000.0);
-            EXPECT_NEAR(figure(*technique, "memory predicted") / static_cast<double>(technique->bytes()), 1.0, 0.05) << asPublished << coverageMap;
+            EXPECT_NEAR(figure(*technique, "memory predicted") / static_cast<double>(technique->bytes()), 1.0, 0.05)
+                << asPublished << coverageMap;
         }
     }
 }
 
 TEST(Temporal, ViewsShowTheTexelsOfTheReceivers) {
-    const auto scene = over({0, 0, 0}, {caster(-1.25, 0), caster(-1.25, 0, 6), caster(-1.25, 0, 7)});  // there from u = 0.6 on, and near it
+    const auto scene = over(
+        {0, 0, 0}, {caster(-1.25, 0), caster(-1.25, 0, 6), caster(-1.25, 0, 7)});  // there from u = 0.6 on, and near it
     const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(8, 8, 2, 256, 1));
     for (const bool asPublished : {false, true}) {
         const std::unique_ptr<Technique> technique = temporal({asPublished, false});
@@ -302,6 +340,6 @@ TEST(Temporal, ViewsShowTheTexelsOfTheReceivers) {
     }
 }
 
-} // namespace
+}  // namespace
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,5 +1,6 @@
-// What the candidate lists rest on: a cell that a moving triangle covers anywhere, at any time, is never left out, nor is a receiver
-// behind it turned away by the packed bounds. Random and adversarial triangles; the truth in double, point by point.
+// What the candidate lists rest on: a cell that a moving triangle covers anywhere, at any time, is never left out, nor
+// is a receiver behind it turned away by the packed bounds. Random and adversarial triangles; the truth in double,
+// point by point.
 #include <set>
 
 #include <gtest/gtest.h>
@@ -46,7 +47,8 @@ TEST_F(CandidateBounds, NoCoveredCellIsLeftOut) {
         const double reach = oneIn(3) ? 0.6 : oneIn(2) ? 0.05 : 0.002;
         const vec3 around(dvec3(number(0.0, 1.0), number(0.0, 1.0), number(0.3, 1.5)));
         std::array<vec3, 3> a, b;
-        const vec3 way = vec3(dvec3(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0))) * static_cast<float>(reach);
+        const vec3 way =
+            vec3(dvec3(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0))) * static_cast<float>(reach);
         for (std::size_t i = 0; i < 3; ++i) {
             a[i] = vertex(around, reach);
             b[i] = oneIn(3) ? vertex(around, reach) : a[i] + way;
@@ -60,18 +62,22 @@ TEST_F(CandidateBounds, NoCoveredCellIsLeftOut) {
             const double u = oneIn(4) ? 0.0 : oneIn(4) ? 1.0 : number(0.0, 1.0);
             const dvec3 w = barycentrics();
             dvec3 p(0.0);
-            for (std::size_t i = 0; i < 3; ++i) p += w[static_cast<int>(i)] * ((1.0 - u) * dvec3(a[i]) + u * dvec3(b[i]));
+            for (std::size_t i = 0; i < 3; ++i)
+                p += w[static_cast<int>(i)] * ((1.0 - u) * dvec3(a[i]) + u * dvec3(b[i]));
             if (perspective && p.z <= 1e-3) continue;
             const glm::dvec2 place = perspective ? glm::dvec2(p) / p.z : glm::dvec2(p);
             if (place.x < 0.0 || place.y < 0.0 || place.x >= 1.0 || place.y >= 1.0) continue;
             ++seen;
             const glm::ivec2 cell(place * static_cast<double>(side));
             const float width = 1.0f / static_cast<float>(side);
-            ASSERT_FALSE(shared::missesSquare(edges[0], edges[1], edges[2], (vec2(cell) + 0.5f) * width, 0.5f * width + MAP_POSITION_SLACK))
+            ASSERT_FALSE(shared::missesSquare(edges[0], edges[1], edges[2], (vec2(cell) + 0.5f) * width,
+                                              0.5f * width + MAP_POSITION_SLACK))
                 << "triangle " << n << ", side " << side << ", u " << u;
             // A cell far off is left out often enough for the test to mean something.
             const vec2 elsewhere(dvec3(number(0.0, 1.0), number(0.0, 1.0), 0.0));
-            left += shared::missesSquare(edges[0], edges[1], edges[2], elsewhere, 0.5f * width + MAP_POSITION_SLACK) ? 1 : 0;
+            left += shared::missesSquare(edges[0], edges[1], edges[2], elsewhere, 0.5f * width + MAP_POSITION_SLACK)
+                        ? 1
+                        : 0;
         }
     }
     EXPECT_GT(seen, 200000);
@@ -89,19 +95,25 @@ TEST_F(CandidateBounds, PackedBoundsNeverTurnAwayWhatTheyHold) {
         ASSERT_EQ(packed & CANDIDATE_GUARDS, 0u);
         // A receiver in this cell, inside the bounds, and no nearer to the light.
         const vec2 inside(dvec3(number(0.0, 1.0), number(0.0, 1.0), 0.0));
-        const float depth = oneIn(3) ? std::max(nearest, 0.0f) : std::max(nearest, 0.0f) + static_cast<float>(number(0.0, 10.0));
-        const bool reached = shared::candidateReaches(packed, shared::packReceiverPlace(inside, shared::depthStep(depth, least)));
+        const float depth =
+            oneIn(3) ? std::max(nearest, 0.0f) : std::max(nearest, 0.0f) + static_cast<float>(number(0.0, 10.0));
+        const bool reached =
+            shared::candidateReaches(packed, shared::packReceiverPlace(inside, shared::depthStep(depth, least)));
         if (inside.x >= low.x && inside.y >= low.y && inside.x <= high.x && inside.y <= high.y) {
             ASSERT_TRUE(reached) << n;
         }
         away += reached ? 0 : 1;
         // Without the depth, what the fields say one by one.
         const auto sixteenth = [](float x) { return glm::clamp(static_cast<int>(std::floor(x * 16.0f)), 0, 15); };
-        const bool within = sixteenth(inside.x) >= sixteenth(low.x) && sixteenth(inside.y) >= sixteenth(low.y) && sixteenth(inside.x) <= sixteenth(high.x) &&
-                            sixteenth(inside.y) <= sixteenth(high.y);
-        ASSERT_EQ(shared::candidateReaches(shared::packCandidateBounds(low, high, 0u), shared::packReceiverPlace(inside, 0u)), within) << n;
-        ASSERT_FALSE(shared::candidateReaches(shared::packCandidateBounds(vec2(0.0f), vec2(1.0f), shared::depthStep(10.0f, 0.1f)),
-                                              shared::packReceiverPlace(inside, shared::depthStep(9.0f, 0.1f))))
+        const bool within = sixteenth(inside.x) >= sixteenth(low.x) && sixteenth(inside.y) >= sixteenth(low.y) &&
+                            sixteenth(inside.x) <= sixteenth(high.x) && sixteenth(inside.y) <= sixteenth(high.y);
+        ASSERT_EQ(
+            shared::candidateReaches(shared::packCandidateBounds(low, high, 0u), shared::packReceiverPlace(inside, 0u)),
+            within)
+            << n;
+        ASSERT_FALSE(shared::candidateReaches(
+            shared::packCandidateBounds(vec2(0.0f), vec2(1.0f), shared::depthStep(10.0f, 0.1f)),
+            shared::packReceiverPlace(inside, shared::depthStep(9.0f, 0.1f))))
             << "nearer than the candidate";
     }
     EXPECT_GT(away, 20000);
@@ -111,8 +123,10 @@ TEST_F(CandidateBounds, StepsOfDepthNeverDecrease) {
     for (int n = 0; n < 100000; ++n) {
         const auto least = static_cast<float>(std::exp2(number(-30.0, 10.0)));
         const auto near = static_cast<float>(oneIn(10) ? number(-1.0, 0.0) : std::exp2(number(-40.0, 30.0)));
-        const float far = oneIn(4) ? std::nextafter(near, 1e30f) : near + static_cast<float>(std::exp2(number(-40.0, 30.0)));
-        ASSERT_LE(shared::depthStep(near, least), shared::depthStep(far, least)) << near << " " << far << " from " << least;
+        const float far =
+            oneIn(4) ? std::nextafter(near, 1e30f) : near + static_cast<float>(std::exp2(number(-40.0, 30.0)));
+        ASSERT_LE(shared::depthStep(near, least), shared::depthStep(far, least))
+            << near << " " << far << " from " << least;
         ASSERT_LE(shared::depthStep(far, least), 2047u);
     }
     EXPECT_EQ(shared::depthStep(0.0f, 0.1f), 0u);
@@ -134,5 +148,5 @@ TEST(CandidatePlaces, BoundsAndNumbersOfFourEntriesLieInTwoTexels) {
     EXPECT_EQ(*words.rbegin(), 127u);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

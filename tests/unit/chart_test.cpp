@@ -1,8 +1,8 @@
 // The chart shows the numbers that it was given: every marker's pixel, read back through its axes, is its point.
 
-#include "measure/chart.h"
-#include "measure/chart_layout.h"
-#include "scene/error.h"
+#include "chart/chart.h"
+#include "chart/chart_layout.h"
+#include "core/error.h"
 
 #include <gtest/gtest.h>
 
@@ -294,7 +294,8 @@ TEST(Chart, TextOfAnyKind) {
         words += "many words ";
     }
     const std::string broken = "\xff\xc3\xe2\x88 broken \xf0\x9f";
-    for (const std::string& text : {endless, words, broken, std::string("a\nb\tc"), std::string("½ ∝ √t — Ω 猫 🦊")}) {
+    for (const std::string& text :
+         {endless, words, broken, std::string("a\nb\tc"), std::string("½ ∝ √t — Ω 猫 🦊")}) {
         chart.title = chart.subtitle = chart.xLabel = chart.yLabel = chart.footnote = text;
         chart.series[0].name = chart.series[1].points[0].label = chart.slopes[0].label = text;
         drawChart(chart, 640, 480);
@@ -307,8 +308,8 @@ TEST(Chart, TextOfAnyKind) {
 
 TEST(Chart, SizesThatHoldNoChart) {
     const Chart chart = chartOf(table);
-    for (const auto& [width, height] : {std::pair(0, 0), std::pair(-5, 800), std::pair(319, 800), std::pair(800, 239),
-                                        std::pair(100000, 800)}) {
+    for (const auto& [width, height] :
+         {std::pair(0, 0), std::pair(-5, 800), std::pair(319, 800), std::pair(800, 239), std::pair(100000, 800)}) {
         EXPECT_THROW(drawChart(chart, width, height), Error);
     }
     EXPECT_THROW(drawChart(chart, 600, 400, 2.0), Error);
@@ -379,5 +380,5 @@ TEST(ChartAxis, TicksAreExactAndApart) {
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

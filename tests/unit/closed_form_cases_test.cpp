@@ -6,7 +6,7 @@
 
 #include "cases/closed_form_cases.h"
 #include "cases/expectation.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 namespace timeshade {
 namespace {
@@ -31,14 +31,17 @@ TEST(ClosedFormCases, ExactSharesAreThoseOfBruteIntegration) {
         if (c.kind != ClosedFormCase::Kind::Picture) continue;
         const Expectation e = expectationOf(c, SamplingTraits{}, 32, 512);
         // Midpoints of 1536 steps: each end is off by half a step at most; slivers and bullets slip through.
-        const double allowed = c.fleeting ? (c.name == "many_slivers" ? 0.02 : 6e-4) : 1e-5 + c.ends * 0.5 / 1536.0 + 0.2 * c.patchWidth;
+        const double allowed =
+            c.fleeting ? (c.name == "many_slivers" ? 0.02 : 6e-4) : 1e-5 + c.ends * 0.5 / 1536.0 + 0.2 * c.patchWidth;
         EXPECT_NEAR(e.litShare, c.exact, allowed) << c.name;
     }
 }
 
 TEST(ClosedFormCases, NumericOnesAreExact) {
     for (const ClosedFormCase& c : closedFormCases())
-        if (c.kind == ClosedFormCase::Kind::Numeric) { EXPECT_NEAR(c.evaluate(), c.exact, 1e-6) << c.name; }
+        if (c.kind == ClosedFormCase::Kind::Numeric) {
+            EXPECT_NEAR(c.evaluate(), c.exact, 1e-6) << c.name;
+        }
 }
 
 /// What theory says of a technique that looks at the wrong time, from its traits alone.
@@ -54,7 +57,9 @@ TEST(Expectation, HasTheNumbersOfTheory) {
     random.times = SamplingTraits::Times::RandomInStratum;
     random.texelCentres = true;
     // 1/2 (1 - b N / v)^2 without a bias, whatever N; a sixteenth of the grid's pairs are equal times.
-    for (const int strata : {2, 8, 32}) EXPECT_NEAR(expectationOf(closedFormCase("approaching_self"), random, strata, 512).litShare, 0.5, 0.5 / 16 + 0.01);
+    for (const int strata : {2, 8, 32})
+        EXPECT_NEAR(expectationOf(closedFormCase("approaching_self"), random, strata, 512).litShare, 0.5,
+                    0.5 / 16 + 0.01);
     random.movesDepth = true;
     EXPECT_NEAR(expectationOf(closedFormCase("approaching_self"), random, 8, 512).litShare, 1.0, 1e-9);
 
@@ -65,5 +70,5 @@ TEST(Expectation, HasTheNumbersOfTheory) {
     EXPECT_NEAR(expectationOf(closedFormCase("quad_sweeps_point"), ranges, 8, 512).litShare, 0.6, 0.02);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

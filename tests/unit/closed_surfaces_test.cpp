@@ -1,13 +1,13 @@
-// Which surfaces may lose the triangles that face away from the light: those without a border, outside of which camera and light are all
-// through the shutter, and through whose backs nobody looks in.
+// Which surfaces may lose the triangles that face away from the light: those without a border, outside of which camera
+// and light are all through the shutter, and through whose backs nobody looks in.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "plan/closed_surfaces.h"
-#include "plan/self_crossing.h"
+#include "culling/closed_surfaces.h"
+#include "culling/self_crossing.h"
 #include "scenes/shape.h"
 
 namespace timeshade {
@@ -38,7 +38,9 @@ bool meetsItself(const Shape& shape) {
     std::vector<glm::u32vec3> triangles = shape.triangles;
     for (glm::u32vec3& t : triangles)
         for (int corner = 0; corner < 3; ++corner)
-            t[corner] = static_cast<std::uint32_t>(std::find(shape.positions.begin(), shape.positions.end(), shape.positions[t[corner]]) - shape.positions.begin());
+            t[corner] = static_cast<std::uint32_t>(
+                std::find(shape.positions.begin(), shape.positions.end(), shape.positions[t[corner]]) -
+                shape.positions.begin());
     return mayCrossItself(shape.positions, triangles);
 }
 
@@ -83,7 +85,7 @@ class ClosedSurfacesTest : public testing::Test {
         return ClosedSurfaces(mesh_, {Material{}, twoSided});
     }
 
-    std::vector<char> pairs() const { return surfaces().crossedInPairs(mesh_, glm::dvec3(0.0), camera_, light_); }
+    std::vector<char> pairs() const { return surfaces().facingAwayCullable(mesh_, glm::dvec3(0.0), camera_, light_); }
 
     MeshTopology topology_;
     MotionMesh mesh_;
@@ -100,7 +102,8 @@ TEST_F(ClosedSurfacesTest, AreTheOnesWithoutABorder) {
     EXPECT_EQ(found.count(), 4u);
     std::vector<std::size_t> sizes(found.count() + 1);
     for (const std::uint32_t surface : found.ofTriangles()) ++sizes.at(surface);
-    const std::size_t outside = 18 + cube.triangles.size() - 1, round = topology_.triangles.size() - outside - 2 * cube.triangles.size() - 180;
+    const std::size_t outside = 18 + cube.triangles.size() - 1,
+                      round = topology_.triangles.size() - outside - 2 * cube.triangles.size() - 180;
     EXPECT_EQ(sizes, (std::vector<std::size_t>{outside, cube.triangles.size(), cube.triangles.size(), 180, round}));
     EXPECT_EQ(pairs(), (std::vector<char>{0, 1, 1, 1, 1}));
 }
@@ -135,8 +138,10 @@ TEST_F(ClosedSurfacesTest, OneSidedOnesMustNotCrossThemselves) {
 TEST_F(ClosedSurfacesTest, KnowsATurnedGridOfFlatSidesAsItself) {
     // Coplanar neighbours, all of whose coordinates are rounded.
     Shape turnedBox = box({2.4, 2.4, 2.4}, {18, 30, 20});
-    const glm::dvec3 axis = glm::normalize(glm::dvec3(1.0, 0.7, -0.3)), side = glm::normalize(glm::cross(axis, glm::dvec3(0.0, 0.0, 1.0)));
-    for (glm::dvec3& p : turnedBox.positions) p = glm::dmat3(axis, side, glm::cross(axis, side)) * p + glm::dvec3(12.3, -4.5, 6.7);
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(1.0, 0.7, -0.3)),
+                     side = glm::normalize(glm::cross(axis, glm::dvec3(0.0, 0.0, 1.0)));
+    for (glm::dvec3& p : turnedBox.positions)
+        p = glm::dmat3(axis, side, glm::cross(axis, side)) * p + glm::dvec3(12.3, -4.5, 6.7);
     EXPECT_FALSE(meetsItself(turnedBox));
     turnedBox.positions[turnedBox.triangles.front().x] += glm::dvec3(0.0, 5.0, 0.0);
     EXPECT_TRUE(meetsItself(turnedBox));
@@ -162,10 +167,10 @@ TEST_F(ClosedSurfacesTest, TakeVerticesOfOneInstanceForOne) {
     // A seam that opens lets the way to the light through.
     const ClosedSurfaces closed = surfaces();
     mesh_.positionsClose[0].x += 1e-9;
-    EXPECT_EQ(closed.crossedInPairs(mesh_, glm::dvec3(0.0), camera_, light_), (std::vector<char>{0, 0}));
+    EXPECT_EQ(closed.facingAwayCullable(mesh_, glm::dvec3(0.0), camera_, light_), (std::vector<char>{0, 0}));
 }
 
-TEST_F(ClosedSurfacesTest, AreNotCrossedInPairsAroundAnEye) {
+TEST_F(ClosedSurfacesTest, AreNotCullableAroundAnEye) {
     add(reversed(cube), 1);
     const auto at = [&](const glm::dvec3& eye) {
         camera_.close.eye = eye;
@@ -180,7 +185,7 @@ TEST_F(ClosedSurfacesTest, AreNotCrossedInPairsAroundAnEye) {
     EXPECT_EQ(pairs(), (std::vector<char>{0, 0, 1})) << "a solid, where the winding number is not negative";
 }
 
-TEST_F(ClosedSurfacesTest, AreNotCrossedInPairsAroundALight) {
+TEST_F(ClosedSurfacesTest, AreNotCullableAroundALight) {
     add(cube);
     const auto at = [&](const glm::dvec3& position) {
         light_.close.eye = position;
@@ -194,13 +199,15 @@ TEST_F(ClosedSurfacesTest, AreNotCrossedInPairsAroundALight) {
     EXPECT_EQ(at({0.0, 0.0, 0.0}), 1);
 }
 
-TEST_F(ClosedSurfacesTest, AreNotCrossedInPairsWhenMirrored) {
+TEST_F(ClosedSurfacesTest, AreNotCullableWhenMirrored) {
     add(cube);
     const ClosedSurfaces closed = surfaces();
     for (glm::dvec3& p : mesh_.positionsClose) p.x = -p.x;
-    EXPECT_EQ(closed.crossedInPairs(mesh_, glm::dvec3(0.0), camera_, light_), (std::vector<char>{0, 0})) << "flat half-way";
+    EXPECT_EQ(closed.facingAwayCullable(mesh_, glm::dvec3(0.0), camera_, light_), (std::vector<char>{0, 0}))
+        << "flat half-way";
     for (glm::dvec3& p : mesh_.positionsOpen) p.x = -p.x;
-    EXPECT_EQ(closed.crossedInPairs(mesh_, glm::dvec3(0.0), camera_, light_), (std::vector<char>{0, 0})) << "inside out throughout";
+    EXPECT_EQ(closed.facingAwayCullable(mesh_, glm::dvec3(0.0), camera_, light_), (std::vector<char>{0, 0}))
+        << "inside out throughout";
 }
 
 TEST_F(ClosedSurfacesTest, ShellsWithinShellsAreSurfacesOfTheirOwn) {
@@ -208,5 +215,5 @@ TEST_F(ClosedSurfacesTest, ShellsWithinShellsAreSurfacesOfTheirOwn) {
     EXPECT_EQ(surfaces().count(), 1u) << "the inner one faces inwards: a ray that starts between them sees its backs";
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -40,7 +40,7 @@ TEST_F(FrameMotion, KnowsWhatMovesRelativeToWhat) {
     EXPECT_FALSE(of(p, 0).movesInWorld);
     EXPECT_FALSE(of(p, 0).camera.moves);
     EXPECT_TRUE(of(p, 0).light.moves);  // the light does
-    EXPECT_FALSE(of(p, 0).bends);
+    EXPECT_FALSE(of(p, 0).nonTranslating);
     EXPECT_TRUE(of(p, 2).movesInWorld);
     EXPECT_TRUE(of(p, 2).camera.moves);
 }
@@ -49,11 +49,11 @@ TEST_F(FrameMotion, TellsTurningFromMovingAlong) {
     addTriangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}});
     addTriangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}}});
     const FramePlan p = plan();
-    EXPECT_FALSE(of(p, 0).bends);
-    EXPECT_TRUE(of(p, 1).bends);
+    EXPECT_FALSE(of(p, 0).nonTranslating);
+    EXPECT_TRUE(of(p, 1).nonTranslating);
     EXPECT_EQ(p.motion.instances, 2u);
     EXPECT_EQ(p.motion.movingInstances, 2u);
-    EXPECT_EQ(p.motion.bendingInstances, 1u);
+    EXPECT_EQ(p.motion.nonTranslatingInstances, 1u);
 }
 
 TEST_F(FrameMotion, NamesASideOnlyWhereItIsTheSameThroughout) {
@@ -71,7 +71,7 @@ TEST_F(FrameMotion, NamesASideOnlyWhereItIsTheSameThroughout) {
 TEST_F(FrameMotion, KnowsWhatComesIntoAView) {
     add({0, 0, 0}, {0, 0, 0});
     add({60, 0, 0}, {50, 0, 0});
-    add({-60, 0, 0}, {60, 0, 0});  // passes through between the ends
+    add({-60, 0, 0}, {60, 0, 0});    // passes through between the ends
     add({0, 0, 9.5}, {0, 0, 10.5});  // past the light
     const FramePlan p = plan();
     EXPECT_EQ(of(p, 0).light.reach, Reach::Inside);
@@ -88,7 +88,7 @@ TEST_F(FrameMotion, WhatCannotMatterIsInNoList) {
     add({60, 0, 0}, {61, 0, 0});
     FramePlan p = plan();
     EXPECT_TRUE(p.casters.nothingMoves());
-    EXPECT_EQ(p.light.moving.count() + p.camera.moving.count(), 0u);
+    EXPECT_EQ(p.light.dynamicTriangles.count() + p.camera.dynamicTriangles.count(), 0u);
 
     // Inside the light's cone, but its shadow falls where the camera does not look.
     scene_.cameraOpen = scene_.cameraClose = lookAt({-3.0, 0.0, 6.0}, {-3.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.3, 0.01);
@@ -99,17 +99,18 @@ TEST_F(FrameMotion, WhatCannotMatterIsInNoList) {
     EXPECT_TRUE(p.casters.nothingMoves());
     EXPECT_EQ(p.light.unseenTriangles, 2u);
     FrameRequest everything = request();
-    everything.planned = false;
+    everything.forceDynamic = true;
     const FramePlan all = FramePlanner(scene_).plan(everything);
-    EXPECT_EQ(all.casters.moving.size(), 4u);
-    EXPECT_EQ(all.still.lit, 0u);
+    EXPECT_EQ(all.casters.dynamicCasters.size(), 4u);
+    EXPECT_EQ(all.versions.lit, 0u);
 }
 
 /// A point behind a caster that the camera sees is proof that its shadow may be seen.
 TEST(ShadowReach, NeverDropsAShadowThatIsSeen) {
     AwkwardNumbers numbers(77);
     const auto point = [&](float size) {
-        const float x = numbers.between(-size, size), y = numbers.between(-size, size), z = numbers.between(-size, size);
+        const float x = numbers.between(-size, size), y = numbers.between(-size, size),
+                    z = numbers.between(-size, size);
         return glm::dvec3(x, y, z);
     };
     int dropped = 0, seen = 0;
@@ -135,7 +136,10 @@ TEST(ShadowReach, NeverDropsAShadowThatIsSeen) {
         for (int k = 0; k < 200; ++k) {
             const double u = static_cast<double>(numbers.unit());
             double a = static_cast<double>(numbers.unit()), b = static_cast<double>(numbers.unit());
-            if (a + b > 1.0) { a = 1.0 - a; b = 1.0 - b; }
+            if (a + b > 1.0) {
+                a = 1.0 - a;
+                b = 1.0 - b;
+            }
             const MovingCorners& t = scene.triangles[0];
             const auto corner = [&](int c) { return glm::mix(t.open[c], t.close[c], u); };
             const glm::dvec3 p = corner(0) + a * (corner(1) - corner(0)) + b * (corner(2) - corner(0));
@@ -160,39 +164,42 @@ TEST_F(FrameMotion, VersionsChangeWithWhatStandsStillAndWithNothingElse) {
     scene_.finish();
     FramePlanner planner(scene_);
     const FramePlan first = planner.plan(request());
-    const auto same = [&](const StillVersions& a, const StillVersions& b) { return a.casters == b.casters && a.samples == b.samples && a.lit == b.lit; };
-    EXPECT_NE(first.still.casters, 0u);
-    EXPECT_NE(first.still.lit, 0u);
-    EXPECT_EQ(first.motion.decidedAnew, 4u);
+    const auto same = [&](const StaticVersions& a, const StaticVersions& b) {
+        return a.casters == b.casters && a.samples == b.samples && a.lit == b.lit;
+    };
+    EXPECT_NE(first.versions.casters, 0u);
+    EXPECT_NE(first.versions.lit, 0u);
+    EXPECT_EQ(first.motion.reclassified, 4u);
     FramePlan next = planner.plan(request());
-    EXPECT_TRUE(same(next.still, first.still));
-    EXPECT_EQ(next.motion.decidedAnew, 0u);
+    EXPECT_TRUE(same(next.versions, first.versions));
+    EXPECT_EQ(next.motion.reclassified, 0u);
 
     FrameRequest other = request();
     other.frame = 0.25;  // the quad is elsewhere; it moves in both frames
     next = planner.plan(other);
-    EXPECT_TRUE(same(next.still, first.still));
-    EXPECT_EQ(next.motion.decidedAnew, 2u);
+    EXPECT_TRUE(same(next.versions, first.versions));
+    EXPECT_EQ(next.motion.reclassified, 2u);
 
     other.seed = 9;  // other camera samples, the same casters
     next = planner.plan(other);
-    EXPECT_EQ(next.still.casters, first.still.casters);
-    EXPECT_NE(next.still.samples, first.still.samples);
-    EXPECT_NE(next.still.lit, first.still.lit);
+    EXPECT_EQ(next.versions.casters, first.versions.casters);
+    EXPECT_NE(next.versions.samples, first.versions.samples);
+    EXPECT_NE(next.versions.lit, first.versions.lit);
 
     other = request();
     other.shutter.length = 0.0;  // the quad stands still as well
     next = planner.plan(other);
-    EXPECT_NE(next.still.casters, first.still.casters);
+    EXPECT_NE(next.versions.casters, first.versions.casters);
     EXPECT_TRUE(next.casters.nothingMoves());
 
     other.mapSize = 128;
-    EXPECT_NE(planner.plan(other).still.casters, next.still.casters);
-    EXPECT_NE(FramePlanner(scene_).plan(request()).still.casters, first.still.casters) << "another planner may mean another scene";
+    EXPECT_NE(planner.plan(other).versions.casters, next.versions.casters);
+    EXPECT_NE(FramePlanner(scene_).plan(request()).versions.casters, first.versions.casters)
+        << "another planner may mean another scene";
 
     other = request();
-    other.keeps = false;
-    EXPECT_EQ(planner.plan(other).still.casters, 0u);
+    other.useCaches = false;
+    EXPECT_EQ(planner.plan(other).versions.casters, 0u);
 }
 
 TEST_F(FrameMotion, AnswersAreKeptOnlyUnderALightThatStandsStill) {
@@ -201,28 +208,30 @@ TEST_F(FrameMotion, AnswersAreKeptOnlyUnderALightThatStandsStill) {
     scene_.finish();
     FramePlanner planner(scene_);
     const FramePlan p = planner.plan(request());
-    EXPECT_EQ(p.still.lit, 0u);
-    EXPECT_NE(p.still.samples, 0u);
+    EXPECT_EQ(p.versions.lit, 0u);
+    EXPECT_NE(p.versions.samples, 0u);
     FrameRequest later = request();
     later.frame = 0.5;
     later.shutter.length = 0.5;
-    EXPECT_EQ(planner.plan(later).still.samples, p.still.samples) << "what the camera sees is no matter of the light";
-    EXPECT_TRUE(p.casters.still.empty());
+    EXPECT_EQ(planner.plan(later).versions.samples, p.versions.samples)
+        << "what the camera sees is no matter of the light";
+    EXPECT_TRUE(p.casters.staticCasters.empty());
 }
 
 TEST_F(FrameMotion, TheMaskHoldsEveryPlaceThatACasterPasses) {
     add({0, 0, 0}, {0, 0, 0});
     add({-1, 0.5, 4}, {1, -0.5, 5});
     const FramePlan p = plan();
-    ASSERT_EQ(p.reached.cells.size(), static_cast<std::size_t>(MovingMask::side * MovingMask::side));
+    ASSERT_EQ(p.reached.cells.size(), static_cast<std::size_t>(DynamicCasterMask::side * DynamicCasterMask::side));
     EXPECT_GT(p.reached.marked, 0u);
     EXPECT_LT(p.reached.marked, p.reached.cells.size() / 4);
     for (double u = 0.0; u <= 1.0; u += 0.01) {
         for (const glm::dvec3& offset : {glm::dvec3(0, 0, 0), glm::dvec3(0.5, 0.5, 0), glm::dvec3(-0.5, -0.5, 0)}) {
             const glm::dvec3 place = glm::mix(glm::dvec3(-1, 0.5, 4), glm::dvec3(1, -0.5, 5), u) + offset;
             const glm::vec3 v(p.light.block.viewFromWorldOpen * glm::vec4(glm::vec3(place - p.origin), 1.0f));
-            const int x = static_cast<int>(v.x / v.z * MovingMask::side), y = static_cast<int>(v.y / v.z * MovingMask::side);
-            EXPECT_EQ(p.reached.cells[static_cast<std::size_t>(y * MovingMask::side + x)], 1) << "u = " << u;
+            const int x = static_cast<int>(v.x / v.z * DynamicCasterMask::side),
+                      y = static_cast<int>(v.y / v.z * DynamicCasterMask::side);
+            EXPECT_EQ(p.reached.cells[static_cast<std::size_t>(y * DynamicCasterMask::side + x)], 1) << "u = " << u;
         }
     }
 }
@@ -235,10 +244,10 @@ TEST(FrameMotionOfScenes, PillarsHaveAMovingLightAndNothingThatDeforms) {
     const FramePlan plan = FramePlanner(*scene).plan(request);
     EXPECT_TRUE(plan.motion.lightMoves);
     EXPECT_EQ(plan.motion.movingTriangles, 0u);
-    EXPECT_EQ(plan.motion.bendingInstances, 0u);
-    EXPECT_EQ(plan.casters.bending, 0u);
+    EXPECT_EQ(plan.motion.nonTranslatingInstances, 0u);
+    EXPECT_EQ(plan.casters.nonTranslating, 0u);
     EXPECT_NE(plan.passes.front().reason.find("the light moves"), std::string::npos);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <timeshade/paths.h>
 
 #include "scene/gltf_scene.h"
 
@@ -28,9 +29,11 @@ TEST(SceneAssets, AllLoadAndLoop) {
         EXPECT_TRUE(mesh.positionsOpen != mesh.positionsClose || from.position != to.position);
         // The default frame should not lose more than a percent to straight vertex paths (design section 1).
         EXPECT_LE(mesh.largestTurnDegrees, 15.0);
-        EXPECT_DOUBLE_EQ(scene->heldCloseSeconds(scene->duration() - 0.001, scene->duration() + 0.001), scene->duration() + 0.001) << "does not loop";
+        EXPECT_DOUBLE_EQ(scene->heldCloseSeconds(scene->duration() - 0.001, scene->duration() + 0.001),
+                         scene->duration() + 0.001)
+            << "does not loop";
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 
 #include "../broken_gltf/broken_files.h"
-#include "scene/error.h"
+#include "core/error.h"
 #include "scene/gltf_scene.h"
 
 namespace timeshade {
@@ -96,10 +96,25 @@ TEST(BrokenGltf, BuffersComeFromTheModelsFolderOnly) {
     ASSERT_EQ(::mkfifo((folder / "pipe.bin").c_str(), 0600), 0);
     fs::create_symlink("/dev/zero", folder / "device.bin");
 
-    const std::vector<std::string> uris{"../outside.bin", "%2e%2e/outside.bin", "a%2f..%2f../outside.bin", outer.path() / "outside.bin",
-                                        "file://" + (outer.path() / "outside.bin").string(), "http://localhost/x.bin", "up/outside.bin",
-                                        "escape.bin", "loop.bin", "pipe.bin", "device.bin", "a folder", ".", "", "missing.bin",
-                                        "..\\outside.bin", "escape.bin%00.bin", "/dev/zero", std::string(5000, 'x')};
+    const std::vector<std::string> uris{"../outside.bin",
+                                        "%2e%2e/outside.bin",
+                                        "a%2f..%2f../outside.bin",
+                                        outer.path() / "outside.bin",
+                                        "file://" + (outer.path() / "outside.bin").string(),
+                                        "http://localhost/x.bin",
+                                        "up/outside.bin",
+                                        "escape.bin",
+                                        "loop.bin",
+                                        "pipe.bin",
+                                        "device.bin",
+                                        "a folder",
+                                        ".",
+                                        "",
+                                        "missing.bin",
+                                        "..\\outside.bin",
+                                        "escape.bin%00.bin",
+                                        "/dev/zero",
+                                        std::string(5000, 'x')};
     for (const std::string& uri : uris) {
         SCOPED_TRACE(uri);
         Json json = file.json;
@@ -126,7 +141,8 @@ TEST(BrokenGltf, WhatIsNoFileIsRefused) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "folder.glb");
     ASSERT_EQ(::mkfifo((folder.path() / "pipe.glb").c_str(), 0600), 0);
-    for (const char* name : {"folder.glb", "pipe.glb", "missing.glb"}) expectOneClearLine(refusal(folder.path() / name), name);
+    for (const char* name : {"folder.glb", "pipe.glb", "missing.glb"})
+        expectOneClearLine(refusal(folder.path() / name), name);
     expectOneClearLine(refusal("/dev/zero"), "/dev/zero");
 }
 
@@ -159,7 +175,8 @@ TEST(BrokenGltf, RepetitionCostsNoMemory) {
     for (int i = 0; i < 10'000; ++i) {
         const int node = file.addRoot({{"mesh", 0}, {"camera", 0}, {"name", "same"}});
         file.json["animations"][0]["samplers"].push_back({{"input", input}, {"output", output}});
-        file.json["animations"][0]["channels"].push_back({{"sampler", i}, {"target", {{"node", node}, {"path", "translation"}}}});
+        file.json["animations"][0]["channels"].push_back(
+            {{"sampler", i}, {"target", {{"node", node}, {"path", "translation"}}}});
     }
     const TemporaryFolder folder;
     const auto path = folder.write("repeated.glb", file.glb());
@@ -179,7 +196,8 @@ TEST(BrokenGltf, LimitsAreTheCallersToSet) {
 std::string imageNote(const Json& image, const std::string& bytesInView = "") {
     GltfFile file = fileWithEverything();
     file.json["images"][0] = image;
-    if (!bytesInView.empty()) file.json["images"][0] = {{"bufferView", file.addView(bytesInView.data(), bytesInView.size())}};
+    if (!bytesInView.empty())
+        file.json["images"][0] = {{"bufferView", file.addView(bytesInView.data(), bytesInView.size())}};
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "a folder");
     const auto scene = loadGltf(folder.write("image.glb", file.glb()));
@@ -213,5 +231,5 @@ TEST(BrokenGltf, BadImagesCostTheTextureOnly) {
     EXPECT_LT(peakMiB() - before, 500.0);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

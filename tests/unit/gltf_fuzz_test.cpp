@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../broken_gltf/gltf_writer.h"
-#include "scene/error.h"
+#include "core/error.h"
 #include "scene/gltf_scene.h"
 
 namespace timeshade {
@@ -49,7 +49,8 @@ TEST(FuzzedGltf, DamagedBytes) {
         SCOPED_TRACE(mutation);
         ByteList bytes = whole;
         const auto changes = 1 + random() % 8;
-        for (std::uint32_t i = 0; i < changes; ++i) bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
+        for (std::uint32_t i = 0; i < changes; ++i)
+            bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
         expectSceneOrError(folder.write("fuzz.glb", bytes));
     }
 }
@@ -62,7 +63,8 @@ TEST(FuzzedGltf, DamagedNumbers) {
     std::vector<std::string> numbers;
     for (const auto& item : flat.items())
         if (item.value().is_number()) numbers.push_back(item.key());
-    const std::vector<Json> values{0, 1, 2, 3, 5, 7, 13, 255, 65536, 2147483647, -1, 0.5, 1e300, -1e18, 4294967295u, nullptr, "text", Json::array()};
+    const std::vector<Json> values{0,          1,  2,   3,     5,     7,           13,      255,    65536,
+                                   2147483647, -1, 0.5, 1e300, -1e18, 4294967295u, nullptr, "text", Json::array()};
     std::mt19937 random(7);
     for (int mutation = 0; mutation < 2000; ++mutation) {
         SCOPED_TRACE(mutation);
@@ -76,5 +78,5 @@ TEST(FuzzedGltf, DamagedNumbers) {
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

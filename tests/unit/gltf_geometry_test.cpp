@@ -19,12 +19,13 @@ std::unique_ptr<Scene> loaded(const GltfFile& file, const GltfOptions& options =
 }
 
 void expectNear(const glm::dvec3& found, const glm::dvec3& expected, double tolerance = 1e-6) {
-    EXPECT_LE(glm::length(found - expected), tolerance) << found.x << " " << found.y << " " << found.z << ", expected " << expected.x
-                                                        << " " << expected.y << " " << expected.z;
+    EXPECT_LE(glm::length(found - expected), tolerance) << found.x << " " << found.y << " " << found.z << ", expected "
+                                                        << expected.x << " " << expected.y << " " << expected.z;
 }
 
 bool hasNote(const Scene& scene, const std::string& text) {
-    return std::any_of(scene.notes().begin(), scene.notes().end(), [&](const std::string& note) { return note.find(text) != std::string::npos; });
+    return std::any_of(scene.notes().begin(), scene.notes().end(),
+                       [&](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
 /// The unit-quad's corners in an order that makes sense for lists, strips and fans of its two triangles.
@@ -95,7 +96,8 @@ TEST(GltfGeometry, NodesComposeInDoublePrecision) {
     GltfFile file;
     addQuad(file);
     const double half = std::sqrt(0.5);
-    file.addRoot({{"translation", {10, 0, 0}}, {"rotation", {0, 0, half, half}}, {"children", {1}}});  // a quarter turn about z
+    file.addRoot(
+        {{"translation", {10, 0, 0}}, {"rotation", {0, 0, half, half}}, {"children", {1}}});  // a quarter turn about z
     file.add("nodes", {{"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 0, 0, 1}}, {"mesh", 0}});
     const MotionMesh mesh = loaded(file)->motionMesh(0, 0);
     expectNear(mesh.positionsOpen[0], {10, 1, 0}, 1e-12);
@@ -126,9 +128,13 @@ TEST(GltfGeometry, SparseValuesReplaceAndStandAlone) {
     GltfFile file;  // no values but the sparse ones: the others are zero
     const std::vector<std::uint16_t> places{1, 3};
     const std::vector<float> values{1, 0, 0, 0, 1, 0};
-    file.add("accessors", {{"componentType", 5126}, {"count", 4}, {"type", "VEC3"},
-                           {"sparse", {{"count", 2}, {"indices", {{"bufferView", file.addView(places.data(), 4)}, {"componentType", 5123}}},
-                                       {"values", {{"bufferView", file.addView(values.data(), 24)}}}}}});
+    file.add("accessors", {{"componentType", 5126},
+                           {"count", 4},
+                           {"type", "VEC3"},
+                           {"sparse",
+                            {{"count", 2},
+                             {"indices", {{"bufferView", file.addView(places.data(), 4)}, {"componentType", 5123}}},
+                             {"values", {{"bufferView", file.addView(values.data(), 24)}}}}}});
     file.addMesh({{"POSITION", 0}}, file.addAccessor<std::uint8_t>({0, 1, 3}, "SCALAR", 1));
     file.addRoot({{"mesh", 0}});
     const MotionMesh alone = loaded(file)->motionMesh(0, 0);
@@ -144,8 +150,10 @@ TEST(GltfGeometry, QuantisedAttributesAndStrides) {
     const std::vector<std::int16_t> positions{0, 0, 0, 99, 32767, 0, 0, 99, 0, -32768, 0, 99};
     const int view = file.addView(positions.data(), 24);
     file.json["bufferViews"][0]["byteStride"] = 8;
-    file.add("accessors", {{"bufferView", view}, {"componentType", 5122}, {"count", 3}, {"type", "VEC3"}, {"normalized", true}});
-    const int normals = file.addAccessor<std::int8_t>({0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 0, 0, 127, 0, 0, 0}, "VEC4", 4, true);
+    file.add("accessors",
+             {{"bufferView", view}, {"componentType", 5122}, {"count", 3}, {"type", "VEC3"}, {"normalized", true}});
+    const int normals =
+        file.addAccessor<std::int8_t>({0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 0, 0, 127, 0, 0, 0}, "VEC4", 4, true);
     file.json["accessors"][static_cast<std::size_t>(normals)]["type"] = "VEC3";
     file.json["accessors"][static_cast<std::size_t>(normals)]["count"] = 3;
     file.json["bufferViews"][1]["byteStride"] = 4;
@@ -188,7 +196,8 @@ TEST(GltfGeometry, SkinsBlendAndIgnoreTheirNode) {
     file.addMesh({{"POSITION", positions}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}});
     file.addRoot({{"translation", {0, 0, 1}}});
     file.addRoot({{"translation", {0, 0, 5}}});
-    std::vector<float> inverse{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1};
+    std::vector<float> inverse{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1,
+                               1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1};
     file.add("skins", {{"joints", {0, 1}}, {"inverseBindMatrices", file.addAccessor(inverse, "MAT4", 16)}});
     file.addRoot({{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}});
     const MotionMesh mesh = loaded(file)->motionMesh(0, 0);
@@ -225,5 +234,5 @@ TEST(GltfGeometry, TexturesAndMaterialsArrive) {
     EXPECT_EQ(scene->materials()[1].name, "default");
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../broken_gltf/gltf_writer.h"
-#include "scene/error.h"
+#include "core/error.h"
 #include "scene/gltf_scene.h"
 
 namespace timeshade {
@@ -21,7 +21,8 @@ std::unique_ptr<Scene> loaded(const GltfFile& file, const GltfOptions& options =
 }
 
 bool hasNote(const Scene& scene, const std::string& text) {
-    return std::any_of(scene.notes().begin(), scene.notes().end(), [&](const std::string& note) { return note.find(text) != std::string::npos; });
+    return std::any_of(scene.notes().begin(), scene.notes().end(),
+                       [&](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
 GltfFile movingQuad() {
@@ -48,10 +49,12 @@ TEST(GltfMotion, LinearStepAndSplineTranslations) {
     EXPECT_DOUBLE_EQ(cornerAt(*loaded(step), 1.0), 6.0);
 
     GltfFile spline = movingQuad();  // in-tangent, value, out-tangent per key
-    spline.animate(0, "translation", {0, 2}, spline.vec3s({0, 0, 0, 1, 0, 0, 3, 0, 0, -1, 0, 0, 5, 0, 0, 0, 0, 0}), "CUBICSPLINE");
+    spline.animate(0, "translation", {0, 2}, spline.vec3s({0, 0, 0, 1, 0, 0, 3, 0, 0, -1, 0, 0, 5, 0, 0, 0, 0, 0}),
+                   "CUBICSPLINE");
     // Hermite at t = 1/4 of a segment of 2 s: value 1 to 5, tangents 3 and -1 per second.
     const double t = 0.25, t2 = t * t, t3 = t2 * t;
-    const double expected = (2 * t3 - 3 * t2 + 1) * 1 + 2 * (t3 - 2 * t2 + t) * 3 + (3 * t2 - 2 * t3) * 5 + 2 * (t3 - t2) * -1;
+    const double expected =
+        (2 * t3 - 3 * t2 + 1) * 1 + 2 * (t3 - 2 * t2 + t) * 3 + (3 * t2 - 2 * t3) * 5 + 2 * (t3 - t2) * -1;
     EXPECT_NEAR(cornerAt(*loaded(spline), 0.5), expected, 1e-12);
 }
 
@@ -67,8 +70,10 @@ TEST(GltfMotion, RotationsTakeTheShorterWayAtConstantSpeed) {
 
 TEST(GltfMotion, NormalisedIntegerRotationsAndMorphWeights) {
     GltfFile file = movingQuad();
-    file.json["meshes"][0]["primitives"][0]["targets"] = Json::array({{{"POSITION", file.vec3s(std::vector<float>(12, 1.0f))}}});
-    file.animate(0, "rotation", {0, 1}, file.addAccessor<std::int16_t>({0, 0, 0, 32767, 0, 0, 32767, 0}, "VEC4", 4, true));
+    file.json["meshes"][0]["primitives"][0]["targets"] =
+        Json::array({{{"POSITION", file.vec3s(std::vector<float>(12, 1.0f))}}});
+    file.animate(0, "rotation", {0, 1},
+                 file.addAccessor<std::int16_t>({0, 0, 0, 32767, 0, 0, 32767, 0}, "VEC4", 4, true));
     file.animate(0, "weights", {0, 1}, file.addAccessor<std::uint8_t>({0, 0, 0, 255}, "SCALAR", 1, true));
     file.json["accessors"].back()["count"] = 2;
     file.json["animations"][0]["samplers"][1]["output"] = file.addAccessor<std::uint8_t>({0, 255}, "SCALAR", 1, true);
@@ -120,7 +125,8 @@ TEST(GltfMotion, AClipThatLoopsGoesOnThroughItsEnd) {
 TEST(GltfMotion, AWholeTurnInOneShutterIsNoticed) {
     GltfFile file = movingQuad();
     const float h = 0.70710678f;
-    file.animate(0, "rotation", {0, 1, 2, 3, 4}, file.vec4s({0, 0, 0, 1, 0, 0, h, h, 0, 0, 1, 0, 0, 0, h, -h, 0, 0, 0, -1}));
+    file.animate(0, "rotation", {0, 1, 2, 3, 4},
+                 file.vec4s({0, 0, 0, 1, 0, 0, h, h, 0, 0, 1, 0, 0, 0, h, -h, 0, 0, 0, -1}));
     EXPECT_NEAR(loaded(file)->motionMesh(0, 4).largestTurnDegrees, 360.0, 1e-3);
 }
 
@@ -156,7 +162,8 @@ TEST(GltfMotion, ClipsOfOneNameCanBeToldApart) {
 TEST(GltfMotion, AnimatedMatrixNodesAreTakenApart) {
     GltfFile file;
     addQuad(file);
-    file.addRoot({{"mesh", 0}, {"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 7, 0, 0, 1}}});  // twice the size, a quarter turn
+    file.addRoot({{"mesh", 0},
+                  {"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 7, 0, 0, 1}}});  // twice the size, a quarter turn
     file.animate(0, "translation", {0, 1}, file.vec3s({1, 0, 0, 1, 0, 0}));
     const auto scene = loaded(file);
     const MotionMesh mesh = scene->motionMesh(0, 0);
@@ -168,9 +175,11 @@ TEST(GltfMotion, AnimatedMatrixNodesAreTakenApart) {
 TEST(GltfViews, CamerasLookAlongMinusZAndHaveDifferentNames) {
     GltfFile file = movingQuad();
     file.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.25}}}});
-    file.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 10}, {"znear", 0.1}}}});
+    file.add("cameras",
+             {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 10}, {"znear", 0.1}}}});
     file.addRoot({{"name", "eye"}, {"camera", 0}, {"translation", {0, 0, 4}}, {"scale", {3, 3, 3}}});
-    file.addRoot({{"name", "eye"}, {"camera", 0}, {"rotation", {0, half, 0, half}}});  // a quarter turn about y: looks along -x
+    file.addRoot(
+        {{"name", "eye"}, {"camera", 0}, {"rotation", {0, half, 0, half}}});  // a quarter turn about y: looks along -x
     file.addRoot({{"name", "flat"}, {"camera", 1}});
     const auto scene = loaded(file);
     ASSERT_EQ(scene->cameras().size(), 2u);
@@ -190,14 +199,19 @@ GltfFile fileWithLights(const Json& lights) {
     GltfFile file = movingQuad();
     file.json["extensions"]["KHR_lights_punctual"]["lights"] = lights;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        file.addRoot({{"name", "lamp " + std::to_string(i)}, {"translation", {i, 3, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
+        file.addRoot({{"name", "lamp " + std::to_string(i)},
+                      {"translation", {i, 3, 0}},
+                      {"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
     return file;
 }
 
 TEST(GltfViews, TheFirstUsableLightShines) {
     const Json point = {{"type", "point"}, {"intensity", 5}};
     const Json dark = {{"type", "spot"}, {"intensity", 0}, {"spot", Json::object()}};
-    const Json spot = {{"type", "spot"}, {"intensity", 50}, {"color", {1, 0.5, 0}}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.4}}}};
+    const Json spot = {{"type", "spot"},
+                       {"intensity", 50},
+                       {"color", {1, 0.5, 0}},
+                       {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.4}}}};
     const auto scene = loaded(fileWithLights({point, dark, spot, spot}));
     const LightPose light = scene->light(0);
     EXPECT_EQ(light.kind, LightKind::Spot);
@@ -219,7 +233,8 @@ TEST(GltfViews, SunsPointLightsAndWideSpots) {
     EXPECT_LE(glm::length(light.axes[2] + towards), 1e-12);
     EXPECT_TRUE(hasNote(*bulb, "point light \"lamp 0\""));
 
-    const auto wide = loaded(fileWithLights({{{"type", "spot"}, {"spot", {{"innerConeAngle", 2.0}, {"outerConeAngle", 1.5707963}}}}}));
+    const auto wide = loaded(
+        fileWithLights({{{"type", "spot"}, {"spot", {{"innerConeAngle", 2.0}, {"outerConeAngle", 1.5707963}}}}}));
     EXPECT_DOUBLE_EQ(wide->light(0).outerConeAngle, 1.48);
     EXPECT_LT(wide->light(0).innerConeAngle, wide->light(0).outerConeAngle);
 }
@@ -245,5 +260,5 @@ TEST(GltfDefaults, ComeFromTheScenesExtras) {
     EXPECT_TRUE(hasNote(*loaded(file), "extras.timeshade is not an object"));
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -1,5 +1,5 @@
 #include "image/image_file.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 #include <gtest/gtest.h>
 
@@ -289,5 +289,5 @@ TEST_F(ImageFile, CutFilesAreRefusedAtAnyLength) {
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -1,6 +1,7 @@
 // The arrows of the design, enforced by reading every #include line: which layer may know which.
 #include <gtest/gtest.h>
 
+#include <timeshade/paths.h>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 const fs::path root = TIMESHADE_SOURCE_DIRECTORY;
 
 struct Include {
-    std::string file;    ///< relative to the repository: "renderer/plan/frame_plan.cpp"
+    std::string file;  ///< relative to the repository: "renderer/plan/frame_plan.cpp"
     int line = 0;
     std::string target;  ///< as it is written between the quotes or brackets
     bool quoted = false;
@@ -31,23 +32,31 @@ struct Include {
 /// For each folder of renderer/ what it may include, as beginnings of paths. "techniques/*" means the files that lie
 /// directly in the folder: the interface and the registry, no technique.
 const std::map<std::string, std::vector<std::string>> arrows{
-    {"scene", {"scene/"}},
-    {"settings", {"settings/", "scene/error.h"}},
-    {"scenes", {"scenes/", "scene/", "settings/", "shared/"}},
-    {"image", {"image/", "scene/error.h"}},
-    {"plan", {"plan/", "scene/", "shared/"}},
-    {"cases", {"cases/", "plan/", "scene/", "shared/"}},
-    {"oracle", {"oracle/", "plan/", "scene/", "shared/"}},
-    {"gl", {"gl/", "scene/error.h", "shared/"}},
-    {"passes", {"passes/", "gl/", "plan/", "scene/", "shared/"}},
-    {"techniques", {"techniques/*", "passes/", "gl/", "plan/", "scene/", "settings/", "shared/"}},
-    {"frame", {"frame/", "techniques/*", "passes/", "gl/", "plan/", "scene/", "image/", "shared/"}},
-    {"measure", {"measure/", "oracle/", "cases/", "frame/", "techniques/*", "passes/", "gl/", "plan/", "scene/", "image/", "shared/"}},
+    {"core", {"core/"}},
+    {"scene", {"scene/", "core/"}},
+    {"scenes", {"scenes/", "scene/", "core/", "shared/"}},
+    {"image", {"image/", "core/"}},
+    {"chart", {"chart/", "image/", "core/"}},
+    {"plan", {"plan/", "scene/", "core/", "shared/"}},
+    {"culling", {"culling/", "plan/", "scene/", "core/", "shared/"}},
+    {"cases", {"cases/", "plan/", "scene/", "core/", "shared/", "technique/sampling_traits.h"}},
+    {"oracle", {"oracle/", "plan/", "scene/", "core/", "shared/"}},
+    {"gl", {"gl/", "core/", "shared/"}},
+    {"passes", {"passes/", "gl/", "plan/", "scene/", "core/", "shared/"}},
+    {"technique", {"technique/", "passes/", "gl/", "plan/", "scene/", "core/", "shared/"}},
+    {"techniques", {"techniques/*", "technique/", "culling/", "passes/", "gl/", "plan/", "scene/", "core/", "shared/"}},
+    {"frame",
+     {"frame/", "technique/", "techniques/registry.h", "passes/", "gl/", "plan/", "scene/", "image/", "core/",
+      "shared/"}},
+    {"measure",
+     {"measure/", "oracle/", "cases/", "chart/", "frame/", "technique/", "techniques/registry.h", "passes/", "gl/",
+      "plan/", "scene/", "image/", "core/", "shared/"}},
 };
 
 /// Headers of libraries, by the beginning of their names, and the folders that may include them.
 const std::vector<std::pair<std::string, std::vector<std::string>>> libraries{
-    {"glad/", {"renderer/gl/", "renderer/passes/", "renderer/techniques/", "renderer/frame/", "app/"}},
+    {"glad/",
+     {"renderer/gl/", "renderer/passes/", "renderer/technique/", "renderer/techniques/", "renderer/frame/", "app/"}},
     {"GL/", {}},
     {"EGL/", {"app/contexts/"}},
     {"GLFW/", {"app/"}},
@@ -56,7 +65,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> libraries{
     {"CLI/", {"app/"}},
     {"tiny_gltf", {"renderer/scene/"}},
     {"tinyexr", {"renderer/image/"}},
-    {"stb_", {"renderer/image/", "renderer/scene/", "renderer/measure/"}},
+    {"stb_", {"renderer/image/", "renderer/scene/", "renderer/chart/"}},
     {"embree", {"renderer/oracle/", "renderer/measure/"}},
     {"tbb", {"renderer/oracle/"}},
     {"gtest", {}},
@@ -79,7 +88,8 @@ std::vector<std::string> partsOf(const std::string& path) {
 
 bool allowedBy(const std::vector<std::string>& rules, const std::string& target) {
     return std::any_of(rules.begin(), rules.end(), [&](const std::string& rule) {
-        if (rule.back() == '*') return startsWith(target, rule.substr(0, rule.size() - 1)) && partsOf(target).size() == 2;
+        if (rule.back() == '*')
+            return startsWith(target, rule.substr(0, rule.size() - 1)) && partsOf(target).size() == 2;
         return startsWith(target, rule);
     });
 }
@@ -91,7 +101,8 @@ std::optional<std::string> rendererComplaint(const Include& include) {
     const bool inTechnique = parts[1] == "techniques" && parts.size() > 3;
     if (inTechnique && startsWith(include.target, "techniques/" + parts[2] + "/")) return std::nullopt;
     // The registry is the one place that knows every technique.
-    if (include.file == "renderer/techniques/registry.cpp" && startsWith(include.target, "techniques/")) return std::nullopt;
+    if (include.file == "renderer/techniques/registry.cpp" && startsWith(include.target, "techniques/"))
+        return std::nullopt;
     if (inTechnique && startsWith(include.target, "techniques/registry")) return "a technique knows no other";
     if (allowedBy(rules->second, include.target)) return std::nullopt;
     return "renderer/" + parts[1] + " may not know it";
@@ -112,7 +123,8 @@ std::optional<std::string> complaintAbout(const Include& include) {
         for (const auto& [beginning, folders] : libraries) {
             const bool exact = beginning == "chrono" || beginning == "ctime" || beginning == "random";
             if (exact ? include.target != beginning : !startsWith(include.target, beginning)) continue;
-            const bool allowed = std::any_of(folders.begin(), folders.end(), [&](const std::string& f) { return startsWith(include.file, f); });
+            const bool allowed = std::any_of(folders.begin(), folders.end(),
+                                             [&](const std::string& f) { return startsWith(include.file, f); });
             if (!allowed) return "the library does not belong there";
         }
         return std::nullopt;
@@ -125,7 +137,8 @@ std::optional<std::string> complaintAbout(const Include& include) {
 
 /// The file that a quoted include means, or nothing.
 std::optional<fs::path> resolve(const Include& include) {
-    const std::vector<fs::path> places{root / "renderer", root / "shaders", root / "app", (root / include.file).parent_path()};
+    const std::vector<fs::path> places{root / "renderer", root / "shaders", root / "app",
+                                       (root / include.file).parent_path()};
     for (const fs::path& place : places)
         if (fs::is_regular_file(place / include.target)) return place / include.target;
     return std::nullopt;
@@ -142,13 +155,16 @@ std::vector<Include> includesOf(const std::string& folder) {
         for (int line = 1; std::getline(stream, text); ++line) {
             std::smatch match;
             if (!std::regex_match(text, match, directive)) continue;
-            includes.push_back({fs::relative(entry.path(), root).string(), line, match[2].str(), match[1].str() == "\""});
+            includes.push_back(
+                {fs::relative(entry.path(), root).string(), line, match[2].str(), match[1].str() == "\""});
         }
     }
     return includes;
 }
 
-std::string where(const Include& include) { return include.file + ":" + std::to_string(include.line) + " includes " + include.target; }
+std::string where(const Include& include) {
+    return include.file + ":" + std::to_string(include.line) + " includes " + include.target;
+}
 
 TEST(IncludeArrows, NoFileKnowsMoreThanItsLayerMay) {
     std::size_t seen = 0;
@@ -202,11 +218,12 @@ TEST(IncludeArrows, HeadlessWorkReachesNoWindow) {
         std::string source = include.file;
         if (source.ends_with(".h")) source = source.substr(0, source.size() - 2) + ".cpp";
         if (headless.count(source) == 0 && headless.count(include.file) == 0) continue;
-        EXPECT_FALSE(startsWith(include.target, "GLFW/") || startsWith(include.target, "imgui") || startsWith(include.target, "panels/") ||
-                     startsWith(include.target, "interactive"))
+        EXPECT_FALSE(startsWith(include.target, "GLFW/") || startsWith(include.target, "imgui") ||
+                     startsWith(include.target, "panels/") || startsWith(include.target, "interactive"))
             << where(include);
         // A hidden window is one of the contexts that can be asked for, made in one place.
-        EXPECT_TRUE(!startsWith(include.target, "contexts/window_context") || include.file == "app/make_context.cpp") << where(include);
+        EXPECT_TRUE(!startsWith(include.target, "contexts/window_context") || include.file == "app/make_context.cpp")
+            << where(include);
     }
 }
 
@@ -221,15 +238,18 @@ std::set<std::string> foldersIn(const fs::path& path) {
 TEST(IncludeArrows, TechniquesHaveTheirFoldersAndNothingElseHas) {
     // These draw with shaders of passes/ alone.
     const std::set<std::string> withoutShaders{"static", "accumulation"};
-    const std::set<std::string> sources = foldersIn(root / "renderer" / "techniques"), shaders = foldersIn(root / "shaders" / "techniques");
+    const std::set<std::string> sources = foldersIn(root / "renderer" / "techniques"),
+                                shaders = foldersIn(root / "shaders" / "techniques");
     std::set<std::string> registered;
     for (const TechniqueDescription& description : techniqueDescriptions()) registered.insert(description.name);
     EXPECT_EQ(sources, registered) << "folders in renderer/techniques, names in the registry";
     for (const std::string& name : sources) {
         const bool has = shaders.count(name) > 0;
-        EXPECT_NE(has, withoutShaders.count(name) > 0) << name << ": shaders/techniques/" << name << (has ? " is there" : " is missing");
+        EXPECT_NE(has, withoutShaders.count(name) > 0)
+            << name << ": shaders/techniques/" << name << (has ? " is there" : " is missing");
     }
-    for (const std::string& name : shaders) EXPECT_TRUE(sources.count(name)) << "shaders/techniques/" << name << " has no technique";
+    for (const std::string& name : shaders)
+        EXPECT_TRUE(sources.count(name)) << "shaders/techniques/" << name << " has no technique";
 }
 
 TEST(IncludeArrows, TheRulesRefuseWhatTheyShould) {
@@ -240,22 +260,26 @@ TEST(IncludeArrows, TheRulesRefuseWhatTheyShould) {
     EXPECT_TRUE(refused("renderer/scene/a.cpp", "plan/frame_plan.h"));
     EXPECT_TRUE(refused("renderer/plan/a.h", "passes/gpu_mesh.h"));
     EXPECT_TRUE(refused("renderer/plan/a.h", "glad/gl.h", false));
-    EXPECT_TRUE(refused("renderer/oracle/a.cpp", "techniques/technique.h"));
+    EXPECT_TRUE(refused("renderer/oracle/a.cpp", "technique/technique.h"));
     EXPECT_TRUE(refused("renderer/oracle/a.cpp", "gl/buffer.h"));
     EXPECT_TRUE(refused("renderer/image/a.cpp", "scene/scene.h"));
-    EXPECT_FALSE(refused("renderer/image/a.cpp", "scene/error.h"));
+    EXPECT_FALSE(refused("renderer/image/a.cpp", "core/error.h"));
     EXPECT_TRUE(refused("renderer/gl/a.cpp", "passes/fullscreen.h"));
     EXPECT_TRUE(refused("renderer/gl/a.cpp", "plan/frame_plan.h"));
-    EXPECT_TRUE(refused("renderer/passes/a.cpp", "techniques/technique.h"));
+    EXPECT_TRUE(refused("renderer/passes/a.cpp", "technique/technique.h"));
     EXPECT_TRUE(refused("renderer/techniques/tsm/a.cpp", "techniques/static/static_shadow.h"));
     EXPECT_TRUE(refused("renderer/techniques/tsm/a.cpp", "techniques/registry.h"));
     EXPECT_TRUE(refused("renderer/techniques/tsm/a.cpp", "oracle/oracle.h"));
     EXPECT_TRUE(refused("renderer/techniques/tsm/a.cpp", "random", false));
     EXPECT_TRUE(refused("renderer/techniques/tsm/a.cpp", "chrono", false));
-    EXPECT_TRUE(refused("renderer/techniques/technique.h", "techniques/tsm/tsm_shadow.h"));
+    EXPECT_TRUE(refused("renderer/technique/technique.h", "techniques/tsm/tsm_shadow.h"));
     EXPECT_FALSE(refused("renderer/techniques/tsm/a.cpp", "techniques/tsm/tsm_shadow.h"));
-    EXPECT_FALSE(refused("renderer/techniques/tsm/a.cpp", "techniques/technique.h"));
+    EXPECT_FALSE(refused("renderer/techniques/tsm/a.cpp", "technique/technique.h"));
     EXPECT_FALSE(refused("renderer/techniques/registry.cpp", "techniques/tsm/tsm_shadow.h"));
+    EXPECT_TRUE(refused("renderer/technique/a.cpp", "techniques/tsm/tsm_shadow.h"));
+    EXPECT_TRUE(refused("renderer/technique/a.cpp", "frame/frame_renderer.h"));
+    EXPECT_TRUE(refused("renderer/plan/a.cpp", "culling/closed_surfaces.h"));
+    EXPECT_TRUE(refused("renderer/core/a.cpp", "scene/scene.h"));
     EXPECT_TRUE(refused("renderer/frame/a.cpp", "techniques/tsm/tsm_shadow.h"));
     EXPECT_TRUE(refused("renderer/frame/a.cpp", "options.h"));
     EXPECT_TRUE(refused("renderer/frame/a.cpp", "imgui.h", false));
@@ -269,5 +293,5 @@ TEST(IncludeArrows, TheRulesRefuseWhatTheyShould) {
     EXPECT_FALSE(refused("shaders/techniques/tsm/a.frag", "techniques/tsm/b.glsl"));
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

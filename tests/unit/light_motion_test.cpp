@@ -1,8 +1,8 @@
 // Which triangles move in the light's own frame: what every technique that keeps time for moving ones alone relies on.
 #include <gtest/gtest.h>
 
-#include "plan/frame_plan.h"
 #include "cases/procedural_scene.h"
+#include "plan/frame_plan.h"
 
 namespace timeshade {
 namespace {
@@ -29,17 +29,17 @@ class LightMotionTest : public testing::Test {
 };
 
 TEST_F(LightMotionTest, TellsStillFromMovingAndDropsWhatIsOutside) {
-    add({0, 0, 0}, {0, 0, 0});        // 0, 1: still
-    add({0, 0, 5}, {0.25, 0, 5});     // 2, 3: moves
-    add({40, 0, 0}, {40, 0, 0});      // 4, 5: outside
-    add({40, 0, 5}, {50, 0, 5});      // 6, 7: outside throughout
-    add({-40, 0, 5}, {40, 0, 5});     // 8, 9: passes through
-    add({0, 0, 5}, {0, 0, 5.0001});   // 10, 11: moves hardly, but moves
+    add({0, 0, 0}, {0, 0, 0});       // 0, 1: still
+    add({0, 0, 5}, {0.25, 0, 5});    // 2, 3: moves
+    add({40, 0, 0}, {40, 0, 0});     // 4, 5: outside
+    add({40, 0, 5}, {50, 0, 5});     // 6, 7: outside throughout
+    add({-40, 0, 5}, {40, 0, 5});    // 8, 9: passes through
+    add({0, 0, 5}, {0, 0, 5.0001});  // 10, 11: moves hardly, but moves
     const LightMotion motion = classify();
-    EXPECT_EQ(motion.still, (Ids{0, 1}));
-    EXPECT_EQ(motion.moving, (Ids{2, 3, 8, 9, 10, 11}));
+    EXPECT_EQ(motion.staticCasters, (Ids{0, 1}));
+    EXPECT_EQ(motion.dynamicCasters, (Ids{2, 3, 8, 9, 10, 11}));
     EXPECT_TRUE(motion.nearPlane.empty());
-    EXPECT_EQ(motion.bending, 0u);
+    EXPECT_EQ(motion.nonTranslating, 0u);
 }
 
 TEST_F(LightMotionTest, KnowsTheFrameOfAMovingLight) {
@@ -47,21 +47,21 @@ TEST_F(LightMotionTest, KnowsTheFrameOfAMovingLight) {
     add({0, 0, 0}, {0, 0, 0});  // 0, 1: still in the world, moves in the map
     add({0, 0, 5}, {1, 0, 5});  // 2, 3: moves with the light, which leaves at most rounding
     const LightMotion motion = classify();
-    EXPECT_EQ(motion.still.size() + motion.moving.size(), 4u);
-    EXPECT_GE(motion.moving.size(), 2u);
-    EXPECT_EQ(motion.moving[0], 0u);
-    EXPECT_EQ(motion.moving[1], 1u);
-    EXPECT_EQ(motion.bending, 0u);
+    EXPECT_EQ(motion.staticCasters.size() + motion.dynamicCasters.size(), 4u);
+    EXPECT_GE(motion.dynamicCasters.size(), 2u);
+    EXPECT_EQ(motion.dynamicCasters[0], 0u);
+    EXPECT_EQ(motion.dynamicCasters[1], 1u);
+    EXPECT_EQ(motion.nonTranslating, 0u);
 }
 
 TEST_F(LightMotionTest, FindsWhatCrossesTheNearPlane) {
-    add({0, 0, 9}, {0, 0, 11});    // 0, 1: past the light
-    add({0, 0, 9}, {0, 0, 9.5});   // 2, 3: nearer, but in front
-    add({0, 0, 11}, {0, 0, 12});   // 4, 5: behind the light throughout
+    add({0, 0, 9}, {0, 0, 11});   // 0, 1: past the light
+    add({0, 0, 9}, {0, 0, 9.5});  // 2, 3: nearer, but in front
+    add({0, 0, 11}, {0, 0, 12});  // 4, 5: behind the light throughout
     const LightMotion motion = classify();
     EXPECT_EQ(motion.nearPlane, (Ids{0, 1}));
-    EXPECT_EQ(motion.moving, (Ids{2, 3}));
-    EXPECT_TRUE(motion.still.empty());
+    EXPECT_EQ(motion.dynamicCasters, (Ids{2, 3}));
+    EXPECT_TRUE(motion.staticCasters.empty());
 }
 
 TEST_F(LightMotionTest, ADirectionalLightHasNoNearPlane) {
@@ -69,8 +69,8 @@ TEST_F(LightMotionTest, ADirectionalLightHasNoNearPlane) {
     add({0, 0, 9}, {0, 0, 11});
     add({0, 0, 0}, {0, 0, 0});
     const LightMotion motion = classify();
-    EXPECT_EQ(motion.moving, (Ids{0, 1}));
-    EXPECT_EQ(motion.still, (Ids{2, 3}));
+    EXPECT_EQ(motion.dynamicCasters, (Ids{0, 1}));
+    EXPECT_EQ(motion.staticCasters, (Ids{2, 3}));
     EXPECT_TRUE(motion.nearPlane.empty());
 }
 
@@ -80,9 +80,9 @@ TEST_F(LightMotionTest, CountsWhatBends) {
     turned.close[0] += glm::dvec3(0.0, 0.2, 0.0);  // of both its triangles
     scene_.quads.push_back(turned);
     const LightMotion motion = classify();
-    EXPECT_EQ(motion.moving.size(), 4u);
-    EXPECT_EQ(motion.bending, 2u);
+    EXPECT_EQ(motion.dynamicCasters.size(), 4u);
+    EXPECT_EQ(motion.nonTranslating, 2u);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -1,7 +1,7 @@
 // The metrics themselves, with images worked out by hand: every accuracy that the program reports rests on them.
 
 #include "measure/metrics.h"
-#include "scene/error.h"
+#include "core/error.h"
 
 #include <gtest/gtest.h>
 
@@ -280,5 +280,5 @@ TEST(LogLogSlope, NoneWithoutTwoPlaces) {
     EXPECT_THROW(logLogSlope(std::vector{2.0, 0.0}, std::vector{1.0}), Error);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -1,4 +1,5 @@
-// What draws a picture, as text: a command line and a settings file give back the very options that they were made from.
+// What draws a picture, as text: a command line and a settings file give back the very options that they were made
+// from.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "options.h"
 #include "options_text.h"
-#include "scene/error.h"
 #include "scene_catalogue.h"
 #include "scenes/scene_recipe.h"
 #include "settings_file.h"
@@ -20,7 +21,8 @@ namespace {
 
 /// The words that a shell makes of a command.
 std::vector<std::string> wordsOf(const std::string& command) {
-    std::unique_ptr<FILE, int (*)(FILE*)> shell(popen(("for word in " + command + "; do printf '%s\\0' \"$word\"; done").c_str(), "r"), pclose);
+    std::unique_ptr<FILE, int (*)(FILE*)> shell(
+        popen(("for word in " + command + "; do printf '%s\\0' \"$word\"; done").c_str(), "r"), pclose);
     std::vector<std::string> words;
     std::string word;
     for (int c = std::fgetc(shell.get()); c != EOF; c = std::fgetc(shell.get())) {
@@ -64,7 +66,8 @@ void changeSettings(HasSettings& owner, Dice& dice, SettingTexts& texts) {
 
 CameraPose randomPose(Dice& dice) {
     const auto number = [&] { return 20.0 * dice.share() - 10.0; };
-    CameraPose pose = lookAt({number(), number(), number()}, {number(), number(), number()}, {0.0, 1.0, 0.0}, 0.1 + 2.0 * dice.share(), 1e-4 + dice.share());
+    CameraPose pose = lookAt({number(), number(), number()}, {number(), number(), number()}, {0.0, 1.0, 0.0},
+                             0.1 + 2.0 * dice.share(), 1e-4 + dice.share());
     return pose;
 }
 
@@ -75,11 +78,13 @@ Options randomState(int seed) {
     options.command = Command::Shot;
     const std::vector<BuiltInScene>& scenes = builtInScenes();
     const std::array<std::string, 3> files{"/models/it's \"here\".glb", "a b/$HOME;ls.gltf", "models/--weird=name.glb"};
-    options.scene = dice.below(4) == 0 ? files[std::size_t(dice.below(3))] : scenes[std::size_t(dice.below(int(scenes.size())))].name;
+    options.scene = dice.below(4) == 0 ? files[std::size_t(dice.below(3))]
+                                       : scenes[std::size_t(dice.below(int(scenes.size())))].name;
     options.technique = techniqueDescriptions()[std::size_t(dice.below(int(techniqueDescriptions().size())))].name;
     const std::unique_ptr<Technique> technique = makeTechnique(options.technique, programs);
     changeSettings(*technique, dice, options.settings);
-    if (const std::unique_ptr<SceneRecipe> recipe = makeRecipe(options.scene)) changeSettings(*recipe, dice, options.settings);
+    if (const std::unique_ptr<SceneRecipe> recipe = makeRecipe(options.scene))
+        changeSettings(*recipe, dice, options.settings);
     options.width = 1 + dice.below(2000);
     options.height = 1 + dice.below(2000);
     options.samplesPerPixel = 1 + dice.below(32);
@@ -105,9 +110,12 @@ void expectSamePicture(const Options& a, const Options& b) {
     EXPECT_EQ(a.scene, b.scene);
     EXPECT_EQ(a.technique, b.technique);
     EXPECT_EQ(a.camera, b.camera);
-    EXPECT_EQ(std::tie(a.width, a.height, a.samplesPerPixel, a.mapSize, a.seed), std::tie(b.width, b.height, b.samplesPerPixel, b.mapSize, b.seed));
-    EXPECT_EQ(std::tie(a.frame, a.instant, a.framesPerSecond, a.shutterLength, a.shutterPosition), std::tie(b.frame, b.instant, b.framesPerSecond, b.shutterLength, b.shutterPosition));
-    EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam), std::tie(b.view, b.techniqueView, b.compared, b.compareMode, b.seam));
+    EXPECT_EQ(std::tie(a.width, a.height, a.samplesPerPixel, a.mapSize, a.seed),
+              std::tie(b.width, b.height, b.samplesPerPixel, b.mapSize, b.seed));
+    EXPECT_EQ(std::tie(a.frame, a.instant, a.framesPerSecond, a.shutterLength, a.shutterPosition),
+              std::tie(b.frame, b.instant, b.framesPerSecond, b.shutterLength, b.shutterPosition));
+    EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam),
+              std::tie(b.view, b.techniqueView, b.compared, b.compareMode, b.seam));
     ASSERT_EQ(a.pose.has_value(), b.pose.has_value());
     if (a.pose) {
         EXPECT_EQ(a.pose->eye, b.pose->eye);
@@ -124,7 +132,8 @@ void expectSamePicture(const Options& a, const Options& b) {
         for (HasSettings* owner : std::initializer_list<HasSettings*>{technique.get(), recipe.get()}) {
             if (owner == nullptr) continue;
             for (const auto& [name, value] : options.settings)
-                if (name.starts_with(owner->settingsPrefix() + ".")) setFromText(*owner, name.substr(name.find('.') + 1), value);
+                if (name.starts_with(owner->settingsPrefix() + "."))
+                    setFromText(*owner, name.substr(name.find('.') + 1), value);
             for (const Setting& setting : settingsOf(*owner)) values.push_back(setting.get());
         }
         return values;
@@ -173,11 +182,12 @@ TEST(OptionsText, EveryFloatSettingSurvives) {
 TEST(OptionsText, PosesThatAreNoneAreRefused) {
     const std::string good = textOf(CameraPose{});
     EXPECT_EQ(poseFromText(good).axes, CameraPose{}.axes);
-    for (const std::string& bad : {std::string(), std::string("1,2,3"), good + ",1", good + ",", "nan" + good.substr(1), good.substr(2), " " + good,
-                                   std::string("0,0,0,1,0,0,0,1,0,0,0,-1,0.8,0.01"), std::string("0,0,0,2,0,0,0,1,0,0,0,1,0.8,0.01"),
-                                   std::string("0,0,0,1,0,0,0,1,0,0,0,1,0,0.01"), std::string("0,0,0,1,0,0,0,1,0,0,0,1,0.8,0")})
+    for (const std::string& bad :
+         {std::string(), std::string("1,2,3"), good + ",1", good + ",", "nan" + good.substr(1), good.substr(2),
+          " " + good, std::string("0,0,0,1,0,0,0,1,0,0,0,-1,0.8,0.01"), std::string("0,0,0,2,0,0,0,1,0,0,0,1,0.8,0.01"),
+          std::string("0,0,0,1,0,0,0,1,0,0,0,1,0,0.01"), std::string("0,0,0,1,0,0,0,1,0,0,0,1,0.8,0")})
         EXPECT_THROW(poseFromText(bad), UsageError) << bad;
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

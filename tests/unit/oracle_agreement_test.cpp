@@ -1,6 +1,6 @@
-// The oracle's two halves against each other and against a third: Embree in floats, the rulings over their own hierarchy in
-// exact arithmetic, and every triangle tried in turn by the textbook. They may differ only where the rulings say that a
-// float's rounding decides.
+// The oracle's two halves against each other and against a third: Embree in floats, the rulings over their own
+// hierarchy in exact arithmetic, and every triangle tried in turn by the textbook. They may differ only where the
+// rulings say that a float's rounding decides.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/procedural_scene.h"
 #include "oracle/camera_rays.h"
 #include "oracle/oracle.h"
-#include "oracle/shadow_ruling.h"
+#include "oracle/resolve_shadow.h"
 #include "scene/camera.h"
-#include "cases/procedural_scene.h"
 
 namespace timeshade {
 namespace {
@@ -36,7 +36,8 @@ class RandomFrame {
         scene_.lightClose.position += glm::dvec3(2.0, 1.0, -1.0);
         scene_.finish();
         planner_ = std::make_unique<FramePlanner>(scene_);
-        plan = planner_->plan(ProceduralScene::request(93, 70, 4, 256, seed));  // rows that do not fill their last packet
+        plan =
+            planner_->plan(ProceduralScene::request(93, 70, 4, 256, seed));  // rows that do not fill their last packet
         if (options.twoSided) {
             auto texels = std::make_shared<MeshTexels>(*plan.texels);
             for (std::size_t t = 0; t < texels->positions.size() / TRIANGLE_POSITION_TEXELS; t += 2)
@@ -89,30 +90,30 @@ struct Tally {
     std::size_t tested = 0, shadowed = 0, marginal = 0, different = 0, differentForSure = 0;
 };
 
-Tally tallyOf(const std::vector<OracleAnswer>& answers, const std::vector<OracleAnswer>& rulings) {
+Tally tallyOf(const std::vector<OracleAnswer>& answers, const std::vector<OracleAnswer>& resolved) {
     Tally tally;
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        EXPECT_EQ(answers[i].hit, rulings[i].hit);
-        EXPECT_EQ(answers[i].tested, rulings[i].tested);
-        EXPECT_EQ(answers[i].position, rulings[i].position);
-        if (!rulings[i].tested) continue;
+        EXPECT_EQ(answers[i].hit, resolved[i].hit);
+        EXPECT_EQ(answers[i].tested, resolved[i].tested);
+        EXPECT_EQ(answers[i].position, resolved[i].position);
+        if (!resolved[i].tested) continue;
         ++tally.tested;
-        tally.shadowed += rulings[i].lit ? 0u : 1u;
-        tally.marginal += rulings[i].marginal ? 1u : 0u;
-        const bool different = answers[i].lit != rulings[i].lit;
+        tally.shadowed += resolved[i].lit ? 0u : 1u;
+        tally.marginal += resolved[i].marginal ? 1u : 0u;
+        const bool different = answers[i].lit != resolved[i].lit;
         tally.different += different ? 1u : 0u;
-        tally.differentForSure += different && !rulings[i].marginal ? 1u : 0u;
+        tally.differentForSure += different && !resolved[i].marginal ? 1u : 0u;
     }
     return tally;
 }
 
-TEST(OracleAgreement, EmbreeDiffersFromTheRulingsOnlyOnMargins) {
+TEST(OracleAgreement, EmbreeDiffersFromExactArithmeticOnlyOnMargins) {
     Tally sum;
     for (std::uint32_t seed = 0; seed < 24; ++seed) {
         const RandomFrame frame(seed, optionsOf(seed));
         const Oracle oracle(frame.plan);
         const std::vector<std::uint32_t> ids = oracle.tracePrimaries(frame.plan);
-        const Tally tally = tallyOf(oracle.answer(frame.plan, ids), oracle.ruleAll(frame.plan, ids));
+        const Tally tally = tallyOf(oracle.answer(frame.plan, ids), oracle.resolveAll(frame.plan, ids));
         sum.tested += tally.tested;
         sum.shadowed += tally.shadowed;
         sum.marginal += tally.marginal;
@@ -129,7 +130,7 @@ TEST(OracleAgreement, EmbreeDiffersFromTheRulingsOnlyOnMargins) {
     EXPECT_LE(sum.marginal, sum.tested / 1000);
 }
 
-TEST(OracleAgreement, EmbreeSeesWhatTheRulingsSee) {
+TEST(OracleAgreement, EmbreeSeesWhatExactArithmeticSees) {
     std::size_t samples = 0, different = 0, marginal = 0;
     for (std::uint32_t seed = 0; seed < 16; ++seed) {
         RandomFrame frame(seed, optionsOf(seed));
@@ -138,12 +139,12 @@ TEST(OracleAgreement, EmbreeSeesWhatTheRulingsSee) {
         const std::vector<std::uint32_t> ids = oracle.tracePrimaries(frame.plan);
         std::size_t seen = 0;
         forEachSample(frame.plan, [&](SampleIndex sample, std::size_t i) {
-            const Oracle::PrimaryRuling ruling = oracle.rulePrimary(frame.plan, sample);
+            const Oracle::ResolvedPrimary resolved = oracle.resolvePrimary(frame.plan, sample);
             ++samples;
             seen += ids[i] != NO_TRIANGLE ? 1u : 0u;
-            marginal += ruling.marginal ? 1u : 0u;
-            different += ruling.triangle != ids[i] ? 1u : 0u;
-            EXPECT_TRUE(ruling.marginal || ruling.triangle == ids[i]) << "scene " << seed << ", sample " << i;
+            marginal += resolved.marginal ? 1u : 0u;
+            different += resolved.triangle != ids[i] ? 1u : 0u;
+            EXPECT_TRUE(resolved.marginal || resolved.triangle == ids[i]) << "scene " << seed << ", sample " << i;
         });
         EXPECT_GT(seen, ids.size() / 2);
     }
@@ -153,33 +154,37 @@ TEST(OracleAgreement, EmbreeSeesWhatTheRulingsSee) {
 }
 
 /// Moeller and Trumbore 1997, with barycentric coordinates, on every triangle.
-bool shadowedByTextbook(const FramePlan& plan, const OracleAnswer& receiver, const glm::dvec3& light, std::uint32_t own) {
+bool shadowedByTextbook(const FramePlan& plan, const OracleAnswer& receiver, const glm::dvec3& light,
+                        std::uint32_t own) {
     const oracle::MovingTriangles triangles(plan.texels->positions);
     const glm::dvec3 d = light - receiver.position;
     for (std::uint32_t id = 0; id < triangles.count(); ++id) {
         glm::dvec3 v[3];
         triangles.at(id, static_cast<double>(receiver.time), v);
-        const glm::dvec3 a = v[1] - v[0], b = v[2] - v[0], h = glm::cross(d, b), s = receiver.position - v[0], q = glm::cross(s, a);
-        const double determinant = glm::dot(a, h), u = glm::dot(s, h) / determinant, w = glm::dot(d, q) / determinant, t = glm::dot(b, q) / determinant;
+        const glm::dvec3 a = v[1] - v[0], b = v[2] - v[0], h = glm::cross(d, b), s = receiver.position - v[0],
+                         q = glm::cross(s, a);
+        const double determinant = glm::dot(a, h), u = glm::dot(s, h) / determinant, w = glm::dot(d, q) / determinant,
+                     t = glm::dot(b, q) / determinant;
         if (id != own && u >= 0.0 && w >= 0.0 && u + w <= 1.0 && t > 1e-5 && t < 1.0) return true;
     }
     return false;
 }
 
-TEST(OracleAgreement, RulingsAreTheDefinition) {
+TEST(OracleAgreement, ExactArithmeticIsTheDefinition) {
     for (std::uint32_t seed = 100; seed < 104; ++seed) {
         const RandomFrame frame(seed, optionsOf(seed));
         const Oracle oracle(frame.plan);
         const std::vector<std::uint32_t> ids = oracle.tracePrimaries(frame.plan);
-        const std::vector<OracleAnswer> rulings = oracle.ruleAll(frame.plan, ids);
+        const std::vector<OracleAnswer> resolved = oracle.resolveAll(frame.plan, ids);
         std::size_t compared = 0;
         forEachSample(frame.plan, [&](SampleIndex sample, std::size_t i) {
-            if (!rulings[i].tested || rulings[i].marginal) return;
+            if (!resolved[i].tested || resolved[i].marginal) return;
             ++compared;
-            const glm::dvec3 light = oracle::lightEnd(frame.plan, rulings[i].position, static_cast<double>(rulings[i].time));
-            EXPECT_EQ(rulings[i].lit, !shadowedByTextbook(frame.plan, rulings[i], light, ids[i]));
+            const glm::dvec3 light =
+                oracle::lightEnd(frame.plan, resolved[i].position, static_cast<double>(resolved[i].time));
+            EXPECT_EQ(resolved[i].lit, !shadowedByTextbook(frame.plan, resolved[i], light, ids[i]));
             const OracleAnswer again = oracle.rule(frame.plan, sample, ids[i]);
-            EXPECT_EQ(again.lit, rulings[i].lit);
+            EXPECT_EQ(again.lit, resolved[i].lit);
         });
         EXPECT_GT(compared, 5000u);
     }
@@ -204,8 +209,9 @@ TEST(OracleAgreement, ReceiversLieOnTheirTriangleAndUnderTheirPixel) {
         triangles.at(ids[i], u, v);
         const glm::dvec3 normal = glm::normalize(glm::cross(v[1] - v[0], v[2] - v[0]));
         ASSERT_NEAR(glm::dot(normal, answer.position - v[0]), 0.0, 1e-11);
-        const glm::dmat3 rays = glm::dmat3(plan.camera.open.right, plan.camera.open.up, plan.camera.open.corner) * (1.0 - u) +
-                                glm::dmat3(plan.camera.close.right, plan.camera.close.up, plan.camera.close.corner) * u;
+        const glm::dmat3 rays =
+            glm::dmat3(plan.camera.open.right, plan.camera.open.up, plan.camera.open.corner) * (1.0 - u) +
+            glm::dmat3(plan.camera.close.right, plan.camera.close.up, plan.camera.close.corner) * u;
         const glm::dvec3 eye = glm::mix(plan.camera.open.eye, plan.camera.close.eye, u);
         const glm::dvec3 place = glm::inverse(rays) * (answer.position - eye);
         ASSERT_GT(place.z, static_cast<double>(plan.camera.block.nearDistance));
@@ -214,10 +220,11 @@ TEST(OracleAgreement, ReceiversLieOnTheirTriangleAndUnderTheirPixel) {
         ASSERT_NEAR(place.y / place.z * plan.block.imageSize.y, sample.y + 0.5, 0.5 + 1e-4);
         // Design: facing follows the winding; two-sided triangles are flipped towards the camera.
         const bool behind = glm::dot(normal, eye - answer.position) < 0.0;
-        ASSERT_TRUE(!behind || triangles.doubleSided(ids[i]) || oracle.rulePrimary(plan, sample).marginal);
+        ASSERT_TRUE(!behind || triangles.doubleSided(ids[i]) || oracle.resolvePrimary(plan, sample).marginal);
         const glm::dvec3 l = oracle::lightEnd(plan, answer.position, u) - answer.position;
         const bool faces = glm::dot(behind ? -normal : normal, l) > 0.0;
-        const bool inCone = std::acos(glm::dot(glm::normalize(l), plan.lightOpen.axes[2])) <= plan.lightOpen.outerConeAngle;
+        const bool inCone =
+            std::acos(glm::dot(glm::normalize(l), plan.lightOpen.axes[2])) <= plan.lightOpen.outerConeAngle;
         ASSERT_TRUE(answer.tested == (faces && inCone) || answer.marginal);
         facingBoth += behind ? 1u : 0u;
     });
@@ -244,7 +251,7 @@ TEST(OracleAgreement, InstantsOfTheSameFrame) {
         ASSERT_EQ(ids.size(), std::size_t{93} * 70);
         const std::vector<OracleAnswer> answers = oracle.answer(instant, ids);
         for (const OracleAnswer& answer : answers) ASSERT_EQ(answer.time, (static_cast<float>(m) + 0.5f) / 5.0f);
-        EXPECT_EQ(tallyOf(answers, oracle.ruleAll(instant, ids)).differentForSure, 0u);
+        EXPECT_EQ(tallyOf(answers, oracle.resolveAll(instant, ids)).differentForSure, 0u);
     }
 }
 
@@ -313,5 +320,5 @@ TEST(OracleAgreement, EveryMotionCounts) {
     EXPECT_GT(shareThatChanges(frame.plan, otherSeed), 0.005);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

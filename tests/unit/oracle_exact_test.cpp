@@ -25,7 +25,8 @@ struct Lattice {
 };
 
 Integer determinant(const Lattice& a, const Lattice& b, const Lattice& c) {
-    return Integer{a.x} * (b.y * c.z - b.z * c.y) + Integer{a.y} * (b.z * c.x - b.x * c.z) + Integer{a.z} * (b.x * c.y - b.y * c.x);
+    return Integer{a.x} * (b.y * c.z - b.z * c.y) + Integer{a.y} * (b.z * c.x - b.x * c.z) +
+           Integer{a.z} * (b.x * c.y - b.y * c.x);
 }
 
 /// The definition, for the part 1/4 < s < 3/4 of the line, in integers.
@@ -87,16 +88,17 @@ TEST(SegmentTriangle, AgreesWithIntegersOnSmallLattices) {
     EXPECT_GT(met, 5000);
 }
 
-/// Segments that pass through an edge, or have a quarter of their length just on the plane, in coordinates so large that
-/// the determinants of exactly zero come out of double arithmetic as noise.
+/// Segments that pass through an edge, or have a quarter of their length just on the plane, in coordinates so large
+/// that the determinants of exactly zero come out of double arithmetic as noise.
 TEST(SegmentTriangle, AgreesWithIntegersWhereDoublesAreNoise) {
     std::mt19937 random(4);
     std::uniform_int_distribution<std::int64_t> coordinate(-(1 << 22), 1 << 22), step(-1, 1), share(1, 7);
     const auto point = [&] { return Lattice{coordinate(random), coordinate(random), coordinate(random)}; };
     int met = 0, contrary = 0;
-    const auto compare = [&](const Lattice& from, const Lattice& to, const Lattice (&v)[3]) {
+    const auto compare = [&](const Lattice& from, const Lattice& to, const Lattice(&v)[3]) {
         const glm::dvec3 vertices[3] = {v[0].point(), v[1].point(), v[2].point()};
-        const Meeting meeting = meet({from.point(), to.point(), 0.25, 0.75, glm::length(to.point() - from.point())}, vertices);
+        const Meeting meeting =
+            meet({from.point(), to.point(), 0.25, 0.75, glm::length(to.point() - from.point())}, vertices);
         met += meeting.hit ? 1 : 0;
         contrary += meeting.hit != meetsByIntegers(from, to, v) ? 1 : 0;
         EXPECT_TRUE(meeting.marginal);
@@ -134,7 +136,9 @@ TEST(SegmentTriangle, LeavesNoGapBetweenNeighbours) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
     for (int i = 0; i < 20000; ++i) {
-        const auto point = [&](double z) { return glm::dvec3(number(random), number(random), z + 0.1 * number(random)); };
+        const auto point = [&](double z) {
+            return glm::dvec3(number(random), number(random), z + 0.1 * number(random));
+        };
         const glm::dvec3 a = point(5.0), b = point(5.0), from = point(0.0);
         const glm::dvec3 side = glm::cross(b - a, glm::dvec3(0.0, 0.0, 1.0));
         // The end is chosen so that the segment passes through the common edge as nearly as doubles allow.
@@ -156,7 +160,13 @@ TEST(SegmentTriangle, IsOpenAtItsEnds) {
     EXPECT_FALSE(meet({below, {0.0, 0.0, 10.0}, 0.5, 1.0, 10.0}, triangle).hit);
     EXPECT_TRUE(meet({below, {0.0, 0.0, 10.0}, std::nextafter(0.5, 0.0), 1.0, 10.0}, triangle).hit);
     EXPECT_FALSE(meet({below, {0.0, 0.0, -10.0}, 1e-5, 1.0, 10.0}, triangle).hit);
-    EXPECT_TRUE(meet({below, {0.0, 0.0, 1.0}, 0.1, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}, triangle).hit);
+    EXPECT_TRUE(meet({below,
+                      {0.0, 0.0, 1.0},
+                      0.1,
+                      std::numeric_limits<double>::infinity(),
+                      std::numeric_limits<double>::infinity()},
+                     triangle)
+                    .hit);
 }
 
 TEST(SegmentTriangle, MissesWhatHasNoArea) {
@@ -171,7 +181,9 @@ TEST(SegmentTriangle, MissesWhatHasNoArea) {
 
 TEST(SegmentTriangle, SaysWhatAFloatCouldHaveDecidedOtherwise) {
     const glm::dvec3 triangle[3] = {{-1.0, -1.0, 5.0}, {1.0, -1.0, 5.0}, {1.0, 1.0, 5.0}};
-    const auto meetingAt = [&](double x, double z) { return meet({{x, -0.5, 0.0}, {x, -0.5, z}, 1e-5, 1.0, z}, triangle); };
+    const auto meetingAt = [&](double x, double z) {
+        return meet({{x, -0.5, 0.0}, {x, -0.5, z}, 1e-5, 1.0, z}, triangle);
+    };
     EXPECT_TRUE(meetingAt(1.0 + 1e-6, 10.0).marginal);
     EXPECT_FALSE(meetingAt(1.0 + 1e-6, 10.0).hit);
     EXPECT_TRUE(meetingAt(1.0 - 1e-6, 10.0).marginal);
@@ -184,5 +196,5 @@ TEST(SegmentTriangle, SaysWhatAFloatCouldHaveDecidedOtherwise) {
     EXPECT_FALSE(meetingAt(0.5, 5.0 + 1e-4).marginal);
 }
 
-} // namespace
-} // namespace timeshade::oracle
+}  // namespace
+}  // namespace timeshade::oracle

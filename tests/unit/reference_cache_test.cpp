@@ -1,7 +1,7 @@
 // A cache that gives back exactly what was stored, or nothing.
 
 #include "measure/reference_cache.h"
-#include "measure/sha256.h"
+#include "core/sha256.h"
 
 #include <gtest/gtest.h>
 
@@ -92,8 +92,12 @@ TEST_F(ReferenceCacheTest, GivesBackEveryBit) {
 
 TEST_F(ReferenceCacheTest, AnyKey) {
     const ReferenceCache cache(folder_);
-    const std::vector<std::string> keys = {"", std::string("nul\0inside", 10), std::string("nul\0other", 9),
-                                           "../../etc/passwd", "line\nbreak", std::string(100000, 'k')};
+    const std::vector<std::string> keys = {"",
+                                           std::string("nul\0inside", 10),
+                                           std::string("nul\0other", 9),
+                                           "../../etc/passwd",
+                                           "line\nbreak",
+                                           std::string(100000, 'k')};
     for (unsigned i = 0; i < keys.size(); ++i) {
         ASSERT_TRUE(cache.store(keys[i], anyBits(2, 2, i)));
     }
@@ -269,5 +273,5 @@ TEST(ReferenceCacheFolder, FollowsTheEnvironment) {
     EXPECT_EQ(ReferenceCache::defaultFolder(), "");
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -51,7 +51,8 @@ double unevenness(const std::vector<unsigned>& counts) {
 /// The same for pairs of numbers in [0, 1): a 16 x 16 histogram. Sensitive to any dependence, not only a linear one.
 double unevennessOfPairs(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<unsigned> counts(256);
-    for (std::size_t i = 0; i < a.size(); ++i) ++counts[static_cast<std::size_t>(a[i] * 16.0) * 16 + static_cast<std::size_t>(b[i] * 16.0)];
+    for (std::size_t i = 0; i < a.size(); ++i)
+        ++counts[static_cast<std::size_t>(a[i] * 16.0) * 16 + static_cast<std::size_t>(b[i] * 16.0)];
     return unevenness(counts);
 }
 
@@ -99,7 +100,8 @@ TEST(SamplePattern, StaysInsideItsPixelAndStratum) {
 }
 
 TEST(SamplePattern, TimesOfAnInstantAreThatInstant) {
-    for (unsigned k = 0; k < 32; ++k) EXPECT_EQ(sampleTime(0.375f, 0.0f, k, samplePattern({k, 7}, k, 3, SALT_CAMERA).z), 0.375f);
+    for (unsigned k = 0; k < 32; ++k)
+        EXPECT_EQ(sampleTime(0.375f, 0.0f, k, samplePattern({k, 7}, k, 3, SALT_CAMERA).z), 0.375f);
 }
 
 TEST(SamplePattern, IsUniformInEveryDimension) {
@@ -108,7 +110,8 @@ TEST(SamplePattern, IsUniformInEveryDimension) {
             for (int d = 0; d < 3; ++d) {
                 std::vector<unsigned> counts(1024);
                 for (const double value : dimension(d, k, seed)) ++counts[static_cast<std::size_t>(value * 1024.0)];
-                EXPECT_LT(std::abs(unevenness(counts)), farOut) << "dimension " << d << ", k " << k << ", seed " << seed;
+                EXPECT_LT(std::abs(unevenness(counts)), farOut)
+                    << "dimension " << d << ", k " << k << ", seed " << seed;
             }
         }
     }
@@ -117,14 +120,17 @@ TEST(SamplePattern, IsUniformInEveryDimension) {
 TEST(SamplePattern, DimensionsAreIndependent) {
     for (const unsigned k : {0u, 5u})
         for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}})
-            expectIndependent(dimension(a, k, 1), dimension(b, k, 1), "dimensions " + std::to_string(a) + " and " + std::to_string(b));
+            expectIndependent(dimension(a, k, 1), dimension(b, k, 1),
+                              "dimensions " + std::to_string(a) + " and " + std::to_string(b));
 }
 
 TEST(SamplePattern, NeighbouringPixelsAreIndependent) {
-    for (const uvec2 shift : {uvec2(1, 0), uvec2(0, 1), uvec2(1, 1), uvec2(2, 0), uvec2(16, 0), uvec2(0, 64), uvec2(256, 0)})
+    for (const uvec2 shift :
+         {uvec2(1, 0), uvec2(0, 1), uvec2(1, 1), uvec2(2, 0), uvec2(16, 0), uvec2(0, 64), uvec2(256, 0)})
         for (int d = 0; d < 3; ++d)
-            expectIndependent(dimension(d, 0, 1), dimension(d, 0, 1, SALT_CAMERA, shift),
-                              "dimension " + std::to_string(d) + ", " + std::to_string(shift.x) + " by " + std::to_string(shift.y));
+            expectIndependent(
+                dimension(d, 0, 1), dimension(d, 0, 1, SALT_CAMERA, shift),
+                "dimension " + std::to_string(d) + ", " + std::to_string(shift.x) + " by " + std::to_string(shift.y));
 }
 
 TEST(SamplePattern, SeedsAndViewsAreIndependent) {
@@ -141,7 +147,8 @@ TEST(SamplePattern, TimesOfDifferentStrataAreIndependent) {
 }
 
 TEST(SamplePattern, PixelsAreSampledMoreEvenlyThanAtRandom) {
-    // The share of N samples below a slanted edge through the pixel: independent samples are off by sqrt(p (1 - p) / N).
+    // The share of N samples below a slanted edge through the pixel: independent samples are off by sqrt(p (1 - p) /
+    // N).
     for (const unsigned n : {8u, 16u, 32u}) {
         double squares = 0.0, independent = 0.0;
         for (unsigned i = 0; i < 4096; ++i) {
@@ -173,7 +180,8 @@ TEST(HashWord, IsAPermutationThatMixes) {
             for (unsigned out = 0; out < 32; ++out) turned[out] += difference >> out & 1u;
         }
         // 8 standard deviations of fair coins, and the mixer's own published bias below 1 %.
-        for (unsigned out = 0; out < 32; ++out) EXPECT_NEAR(turned[out] / static_cast<double>(trials), 0.5, 8.0 * 0.5 / 64.0) << bit << " to " << out;
+        for (unsigned out = 0; out < 32; ++out)
+            EXPECT_NEAR(turned[out] / static_cast<double>(trials), 0.5, 8.0 * 0.5 / 64.0) << bit << " to " << out;
     }
 }
 
@@ -196,5 +204,5 @@ TEST(HashWords, HasTheBitsOfThePaper) {
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "scenes/mesh_scene.h"
 #include "scenes/scene_recipe.h"
 
@@ -32,7 +32,8 @@ using Corner = std::array<double, 3>;
 Corner corner(const glm::dvec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
 std::size_t trianglesOfInstance(const MeshTopology& topology, std::uint32_t instance) {
-    return static_cast<std::size_t>(std::count(topology.triangleInstances.begin(), topology.triangleInstances.end(), instance));
+    return static_cast<std::size_t>(
+        std::count(topology.triangleInstances.begin(), topology.triangleInstances.end(), instance));
 }
 
 /// Directed edges of an instance that have no partner in the opposite direction, by the positions of their ends.
@@ -47,7 +48,8 @@ std::size_t openEdges(const MotionMesh& mesh, std::uint32_t instance) {
             --balance[{b, a}];
         }
     }
-    return static_cast<std::size_t>(std::count_if(balance.begin(), balance.end(), [](const auto& entry) { return entry.second != 0; }));
+    return static_cast<std::size_t>(
+        std::count_if(balance.begin(), balance.end(), [](const auto& entry) { return entry.second != 0; }));
 }
 
 TEST(SceneRecipes, EveryDeclarationIsWhole) {
@@ -118,7 +120,9 @@ TEST(SceneRecipes, CubesFlyAsFarAsTheyAreTold) {
 }
 
 TEST(SceneRecipes, CubesAreThoseOfTheirSeedAndNumber) {
-    const auto positions = [](const std::vector<SettingText>& settings) { return frameOf(*made("cubes", settings), 0.0, 1.0).positionsOpen; };
+    const auto positions = [](const std::vector<SettingText>& settings) {
+        return frameOf(*made("cubes", settings), 0.0, 1.0).positionsOpen;
+    };
     const std::vector<glm::dvec3> few = positions({{"count", "50"}}), many = positions({{"count", "100"}});
     EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin())) << "more cubes leave the others where they were";
     EXPECT_NE(few, positions({{"count", "50"}, {"seed", "2"}}));
@@ -166,7 +170,8 @@ TEST(SceneRecipes, TheStoneIsConvex) {
         if (mesh.topology->triangleInstances[t] != 1) continue;
         const glm::u32vec3& triangle = mesh.topology->triangles[t];
         const glm::dvec3 a = mesh.positionsOpen[triangle.x];
-        const glm::dvec3 normal = glm::normalize(glm::cross(mesh.positionsOpen[triangle.y] - a, mesh.positionsOpen[triangle.z] - a));
+        const glm::dvec3 normal =
+            glm::normalize(glm::cross(mesh.positionsOpen[triangle.y] - a, mesh.positionsOpen[triangle.z] - a));
         EXPECT_GT(glm::dot(normal, glm::dvec3(mesh.normalsOpen[triangle.x])), 0.9) << "faces inwards";
         for (std::size_t v = mesh.positionsOpen.size() - 642; v < mesh.positionsOpen.size(); ++v)
             ASSERT_LT(glm::dot(mesh.positionsOpen[v] - a, normal), 1e-9) << "lies outside of triangle " << t;
@@ -174,5 +179,5 @@ TEST(SceneRecipes, TheStoneIsConvex) {
     EXPECT_EQ(trianglesOfInstance(*made("sphere")->motionMesh(0.0, 0.0).topology, 1), 20480u);
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

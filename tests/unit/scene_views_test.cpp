@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/one_line.h"
 #include "scene/clip_clock.h"
 #include "scene/fitted_views.h"
-#include "scene/one_line.h"
 
 namespace timeshade {
 namespace {
@@ -25,7 +25,8 @@ TEST(LookAt, KeepsUpUpright) {
 }
 
 TEST(LookAt, SurvivesEveryDegenerateView) {
-    for (const glm::dvec3& target : {glm::dvec3(0, 5, 0), glm::dvec3(0, -5, 0), glm::dvec3(0), glm::dvec3(1e-13, -1, 0), glm::dvec3(0, 0, 3)})
+    for (const glm::dvec3& target :
+         {glm::dvec3(0, 5, 0), glm::dvec3(0, -5, 0), glm::dvec3(0), glm::dvec3(1e-13, -1, 0), glm::dvec3(0, 0, 3)})
         for (const glm::dvec3& up : {glm::dvec3(0, 1, 0), glm::dvec3(0), glm::dvec3(0, 0, 1), glm::dvec3(0, 1e-200, 0)})
             expectOrthonormal(lookAt(glm::dvec3(0), target, up, 0.5, 0.1).axes);
 }
@@ -42,7 +43,8 @@ TEST(FittedViews, ShowAndLightTheWholeBounds) {
             expectOrthonormal(light.axes);
             EXPECT_GT(light.position.y, bounds.high.y);
             for (int i = 0; i < 8; ++i) {
-                const glm::dvec3 corner(i & 1 ? bounds.low.x : bounds.high.x, i & 2 ? bounds.low.y : bounds.high.y, i & 4 ? bounds.low.z : bounds.high.z);
+                const glm::dvec3 corner(i & 1 ? bounds.low.x : bounds.high.x, i & 2 ? bounds.low.y : bounds.high.y,
+                                        i & 4 ? bounds.low.z : bounds.high.z);
                 const glm::dvec3 seen = glm::transpose(camera.axes) * (corner - camera.eye);
                 const double slope = std::tan(0.5 * camera.verticalFieldOfView);
                 EXPECT_LE(std::abs(seen.y), slope * -seen.z);
@@ -79,5 +81,5 @@ TEST(OneLine, CutsAndCleans) {
     EXPECT_EQ(oneLine("ab\xc3\xa4xyz", 6), "ab...");  // not in the middle of a character
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

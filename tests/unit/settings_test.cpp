@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -52,7 +52,8 @@ TEST_F(Settings, EveryDeclarationIsWhole) {
             EXPECT_GE(setting.help.size(), 20u);
             EXPECT_EQ(setting.unit.empty(), setting.isSwitch());
             EXPECT_TRUE(!setting.logarithmic || setting.minimum > 0.0);
-            for (const double limit : {setting.minimum, setting.maximum}) EXPECT_TRUE(!setting.isWhole() || limit == std::floor(limit));
+            for (const double limit : {setting.minimum, setting.maximum})
+                EXPECT_TRUE(!setting.isWhole() || limit == std::floor(limit));
         }
     }
 }
@@ -83,8 +84,8 @@ TEST_F(Settings, NumbersAreReadWholly) {
         EXPECT_EQ(settingOf(*tsm_, "bias").get(), 2.0) << text;
         EXPECT_EQ(refusal(*tsm_, "bias", "1"), "");
     }
-    for (const char* text : {"", " ", " 2", "2 ", "2\n", "2x", "2,5", "+2", "0x2", "nan", "NaN", "inf", "-inf", "infinity", "1e999", "two", "on",
-                             "--2", "2.0.0"}) {
+    for (const char* text : {"", " ", " 2", "2 ", "2\n", "2x", "2,5", "+2", "0x2", "nan", "NaN", "inf", "-inf",
+                             "infinity", "1e999", "two", "on", "--2", "2.0.0"}) {
         const std::string line = refusal(*tsm_, "bias", text);
         EXPECT_NE(line.find("--set tsm.bias=" + std::string(text)), std::string::npos) << line;
         EXPECT_NE(line.find("expected a number from 0 to 64 (texels)"), std::string::npos) << line;
@@ -99,13 +100,15 @@ TEST_F(Settings, WholeNumbersAreWhole) {
     EXPECT_EQ(accumulation_->renders(), 100);
     for (const char* text : {"7.5", "0.999", "1e-1", "4096.0001", "4097", "0", "-1", "1e300"}) {
         const std::string line = refusal(*accumulation_, "renders", text);
-        EXPECT_NE(line.find("expected a whole number from 1 to 4096 (renders)"), std::string::npos) << text << ": " << line;
+        EXPECT_NE(line.find("expected a whole number from 1 to 4096 (renders)"), std::string::npos)
+            << text << ": " << line;
         EXPECT_EQ(accumulation_->renders(), 100);
     }
 }
 
 TEST_F(Settings, SwitchesAreOnOrOff) {
-    for (const auto& [text, state] : {std::pair{"on", 1.0}, {"off", 0.0}, {"true", 1.0}, {"false", 0.0}, {"1", 1.0}, {"0", 0.0}}) {
+    for (const auto& [text, state] :
+         {std::pair{"on", 1.0}, {"off", 0.0}, {"true", 1.0}, {"false", 0.0}, {"1", 1.0}, {"0", 0.0}}) {
         EXPECT_EQ(refusal(*tsm_, "dynamic_bias", text), "");
         EXPECT_EQ(settingOf(*tsm_, "dynamic_bias").get(), state) << text;
     }
@@ -121,7 +124,8 @@ TEST_F(Settings, UnknownKeysListTheKnownOnes) {
     for (const char* key : {"", "Bias", "bias ", "renders", "tsm.bias"}) {
         const std::string line = refusal(*tsm_, key, "1");
         EXPECT_NE(line.find("--set tsm." + std::string(key) + ": no such setting"), std::string::npos) << line;
-        for (const Setting& setting : settingsOf(*tsm_)) EXPECT_NE(line.find("tsm." + setting.key), std::string::npos) << line;
+        for (const Setting& setting : settingsOf(*tsm_))
+            EXPECT_NE(line.find("tsm." + setting.key), std::string::npos) << line;
     }
 }
 
@@ -130,7 +134,8 @@ TEST_F(Settings, TechniquesOfOneKindKeepTheirOwnValues) {
     setFromText(*tsm_, "bias", "7");
     EXPECT_EQ(settingOf(*tsm_, "bias").get(), 7.0);
     EXPECT_EQ(settingOf(*other, "bias").get(), settingOf(*other, "bias").defaultValue);
-    EXPECT_EQ(settingOf(*tsm_, "bias").defaultValue, settingOf(*other, "bias").defaultValue) << "a default is no current value";
+    EXPECT_EQ(settingOf(*tsm_, "bias").defaultValue, settingOf(*other, "bias").defaultValue)
+        << "a default is no current value";
 }
 
 TEST_F(Settings, UnknownTechniquesListTheKnownOnes) {
@@ -141,10 +146,11 @@ TEST_F(Settings, UnknownTechniquesListTheKnownOnes) {
         } catch (const UsageError& error) {
             const std::string line = error.what();
             EXPECT_NE(line.find("'" + std::string(name) + "'"), std::string::npos) << line;
-            for (const TechniqueDescription& known : techniqueDescriptions()) EXPECT_NE(line.find(known.name), std::string::npos) << line;
+            for (const TechniqueDescription& known : techniqueDescriptions())
+                EXPECT_NE(line.find(known.name), std::string::npos) << line;
         }
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

@@ -35,7 +35,8 @@ bool undecided(const SegmentAndTriangle& s) {
     const dvec3 sizes(x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x);
     const double plane = glm::dot(n, v0), through = glm::dot(n, l);
     const double error = std::ldexp(glm::dot(sizes, glm::abs(v0)) + glm::dot(sizes, glm::abs(l)), -20) + 1e-30;
-    const double nearError = std::ldexp(glm::dot(sizes, glm::abs(v0)) + 1e-5 * glm::dot(sizes, glm::abs(l)), -20) + 1e-30;
+    const double nearError =
+        std::ldexp(glm::dot(sizes, glm::abs(v0)) + 1e-5 * glm::dot(sizes, glm::abs(l)), -20) + 1e-30;
     return std::abs(through) <= error || std::abs(std::abs(plane) - std::abs(through)) <= error ||
            std::abs(plane - 1e-5 * through) <= nearError;
 }
@@ -46,7 +47,9 @@ bool exactly(const SegmentAndTriangle& s) {
     return oracle::meet(segment, vertices).hit;
 }
 
-bool inFloats(const SegmentAndTriangle& s) { return shared::segmentMeetsTriangle(s.toLight, s.v[0], s.v[1], s.v[2], 0.0f); }
+bool inFloats(const SegmentAndTriangle& s) {
+    return shared::segmentMeetsTriangle(s.toLight, s.v[0], s.v[1], s.v[2], 0.0f);
+}
 
 TEST(SharedSegmentTriangle, DecidesAsExactArithmetic) {
     constexpr int count = 1000000;
@@ -77,7 +80,8 @@ TEST(SharedSegmentTriangle, NeighboursLeaveNoGap) {
         const vec3 a = crossing - across * t, b = crossing + across * (1.0f - t);
         if (std::abs(across.x) + std::abs(across.y) < 0.01f) continue;
         const vec3 c = crossing + along, d = crossing - along;
-        ASSERT_TRUE(shared::segmentMeetsTriangle(l, a, b, c, 0.0f) || shared::segmentMeetsTriangle(l, b, a, d, 0.0f)) << "input " << i;
+        ASSERT_TRUE(shared::segmentMeetsTriangle(l, a, b, c, 0.0f) || shared::segmentMeetsTriangle(l, b, a, d, 0.0f))
+            << "input " << i;
     }
 }
 
@@ -93,8 +97,8 @@ TEST(SharedSegmentTriangle, OrderAndMirroringOfVerticesChangeNothing) {
     }
 }
 
-/// Row 27 and B.13 of the catalogue of hard cases: receivers near a square's diagonal, of one triangle, tested against the
-/// other, with coordinates of ten. A light that grazes needs the plane rule.
+/// Row 27 and B.13 of the catalogue of hard cases: receivers near a square's diagonal, of one triangle, tested against
+/// the other, with coordinates of ten. A light that grazes needs the plane rule.
 TEST(SharedSegmentTriangle, CoplanarNeighboursDoNotShadow) {
     AwkwardNumbers numbers(4);
     int shadowed = 0, withoutRule = 0;
@@ -115,7 +119,9 @@ TEST(SharedSegmentTriangle, ContactsKeepTheirShadowDownToTheShareOfTheWay) {
     for (const float gap : {1e-1f, 1e-2f, 1e-3f, 2e-4f, 1.1e-4f, 0.9e-4f, 1e-5f, 1e-6f}) {
         const bool expected = gap > 1e-4f;  // 1e-5 of the way to a light ten away
         const vec3 l(0.0f, 0.0f, 10.0f);
-        EXPECT_EQ(shared::segmentMeetsTriangle(l, {-1.0f, -1.0f, gap}, {1.0f, -1.0f, gap}, {0.1f, 1.0f, gap}, 0.0f), expected) << gap;
+        EXPECT_EQ(shared::segmentMeetsTriangle(l, {-1.0f, -1.0f, gap}, {1.0f, -1.0f, gap}, {0.1f, 1.0f, gap}, 0.0f),
+                  expected)
+            << gap;
     }
 }
 
@@ -146,5 +152,5 @@ TEST(VertexFromReceiver, StillVerticesStandStill) {
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

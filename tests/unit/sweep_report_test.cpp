@@ -8,19 +8,19 @@
 
 #include <gtest/gtest.h>
 
-#include "measure/chart_layout.h"
+#include "chart/chart_layout.h"
+#include "core/error.h"
 #include "measure/sweep_journal.h"
 #include "measure/sweep_report.h"
 #include "measure/technique_variant.h"
-#include "scene/error.h"
 
 namespace timeshade {
 
 namespace {
 
-SweepRow makeRow(const std::string& technique, int effort, double milliseconds, double rmse, std::uint64_t wrong) {
+SweepRow makeRow(const std::string& technique, int sampleCount, double milliseconds, double rmse, std::uint64_t wrong) {
     SweepRow row;
-    row.point = {"chess", technique, effort, 512, "", 0.0};
+    row.point = {"chess", technique, sampleCount, 512, "", 0.0};
     row.steps["total"] = {milliseconds, milliseconds - 1.0, milliseconds + 1.0};
     row.steps["build"] = {milliseconds / 3.0, 0.1, 7.0};
     row.error.rmse = rmse;
@@ -35,8 +35,8 @@ SweepRow makeRow(const std::string& technique, int effort, double milliseconds, 
 }
 
 std::vector<SweepRow> makeRows() {
-    return {makeRow("static", 1, 10.25, 0.1, 40000), makeRow("static", 4, 41.5, 0.05, 40100), makeRow("tsm", 1, 31.0 / 3.0, 0.2, 9000),
-            makeRow("tsm", 4, 123.456789012345, 0.0123456789, 7000)};
+    return {makeRow("static", 1, 10.25, 0.1, 40000), makeRow("static", 4, 41.5, 0.05, 40100),
+            makeRow("tsm", 1, 31.0 / 3.0, 0.2, 9000), makeRow("tsm", 4, 123.456789012345, 0.0123456789, 7000)};
 }
 
 std::vector<std::vector<std::string>> tableOf(const std::string& csv) {
@@ -73,7 +73,8 @@ TEST(SweepReport, TheChartsPointsAreTheTablesNumbers) {
     ASSERT_EQ(table.size(), rows.size() + 1);
     for (const ChartOf what : {ChartOf::Error, ChartOf::Disagreement}) {
         const Chart chart = sweepChart(rows, "chess", what, true);
-        const std::size_t x = columnOf(table[0], "total_ms"), y = columnOf(table[0], what == ChartOf::Error ? "rmse" : "ppm");
+        const std::size_t x = columnOf(table[0], "total_ms"),
+                          y = columnOf(table[0], what == ChartOf::Error ? "rmse" : "ppm");
         std::size_t line = 1;
         for (const ChartSeries& series : chart.series)
             for (const ChartPoint& point : series.points) {
@@ -98,7 +99,8 @@ TEST(SweepReport, FilesAreWrittenWithTheirManifest) {
     manifest.commit = "0123456789ab";
     manifest.device.software = true;
     writeSweepReport(folder.path, manifest, makeRows());
-    for (const char* name : {"accuracy.csv", "accuracy.json", "manifest.json", "report.md", "accuracy.png", "chess-error.png", "chess-disagreement.png"})
+    for (const char* name : {"accuracy.csv", "accuracy.json", "manifest.json", "report.md", "accuracy.png",
+                             "chess-error.png", "chess-disagreement.png"})
         EXPECT_TRUE(std::filesystem::exists(folder.path / name)) << name;
     std::ifstream report(folder.path / "report.md");
     const std::string text{std::istreambuf_iterator<char>(report), {}};
@@ -119,7 +121,8 @@ std::vector<SweepRow> makeVariedRows() {
             row.techniqueBytes = static_cast<std::size_t>(value) << 20;
             if (technique != "tsm") {
                 row.steps["build/collect"] = {value / 1000.0, 0.5, 3.0};
-                row.figures = {{"entries", 1e7 + value, "", ""}, {"odd lists", 3.0, "texels", "near plane"}};
+                row.statistics = {{"entries", 1e7 + value, "", ""},
+                                  {"lists with unpaired fragments", 3.0, "texels", "near plane"}};
             }
             rows.push_back(row);
         }
@@ -128,7 +131,8 @@ std::vector<SweepRow> makeVariedRows() {
 
 TEST(SweepReport, VariedSettingsAreTheHorizontalAxis) {
     const std::vector<SweepRow> rows = makeVariedRows();
-    const Chart time = variedChart(rows, "cubes", VariedChartOf::Time, true), memory = variedChart(rows, "cubes", VariedChartOf::Memory, true);
+    const Chart time = variedChart(rows, "cubes", VariedChartOf::Time, true),
+                memory = variedChart(rows, "cubes", VariedChartOf::Memory, true);
     ASSERT_EQ(time.series.size(), 2u);
     EXPECT_EQ(time.xLabel, "cubes.count");
     EXPECT_EQ(time.series[1].name, "tsm:bias=2:dynamic_bias=on");
@@ -150,7 +154,8 @@ TEST(SweepReport, PartsAndVariedValuesHaveColumns) {
         EXPECT_TRUE(std::filesystem::exists(folder.path / name)) << name;
     std::ifstream report(folder.path / "report.md");
     const std::string text{std::istreambuf_iterator<char>(report), {}};
-    for (const char* part : {"| technique | cubes.count | spp |", "| build/collect |", "| tsm | 2000 | 8 | 512 |", "odd lists 3 texels (near plane)", "entries 10001000"})
+    for (const char* part : {"| technique | cubes.count | spp |", "| build/collect |", "| tsm | 2000 | 8 | 512 |",
+                             "odd lists 3 texels (near plane)", "entries 10001000"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
@@ -163,11 +168,13 @@ TEST(SweepReport, VariantsAreTechniquesWithSettings) {
     };
     const TechniqueVariant variant = TechniqueVariant::of("tsm:bias=2:dynamic_bias=on");
     EXPECT_EQ(variant.name, "tsm");
-    const std::unique_ptr<Technique> technique = variant.make({{"tsm.bias", "3"}, {"tsm.slope_bias", "1.5"}, {"static.bias", "7"}}, programs);
+    const std::unique_ptr<Technique> technique =
+        variant.make({{"tsm.bias", "3"}, {"tsm.slope_bias", "1.5"}, {"static.bias", "7"}}, programs);
     EXPECT_EQ(value(*technique, "bias"), 2.0) << "its own settings come last";
     EXPECT_EQ(value(*technique, "dynamic_bias"), 1.0);
     EXPECT_EQ(value(*TechniqueVariant::of("tsm").make({{"tsm.bias", "3"}}, programs), "bias"), 3.0);
-    for (const char* wrong : {"tsm:bias", "tsm:=2", "tsm:bias=much", "tsm:nonsense=1", "nonsense:bias=2", ":bias=2", ""})
+    for (const char* wrong :
+         {"tsm:bias", "tsm:=2", "tsm:bias=much", "tsm:nonsense=1", "nonsense:bias=2", ":bias=2", ""})
         EXPECT_THROW(TechniqueVariant::of(wrong).make({}, programs), UsageError) << wrong;
 }
 
@@ -177,7 +184,7 @@ TEST(SweepJournal, RowsSurviveTheWayThroughJson) {
         const SweepRow back = rowFromJson(rowAsJson(row));
         EXPECT_EQ(rowAsJson(back), rowAsJson(row));
         EXPECT_EQ(back.point.key(), row.point.key());
-        EXPECT_EQ(back.figures.size(), row.figures.size());
+        EXPECT_EQ(back.statistics.size(), row.statistics.size());
     }
 }
 
@@ -199,6 +206,6 @@ TEST(SweepJournal, GoesOnWhereItWasAndDropsALineThatIsCutOff) {
     EXPECT_EQ(other.find(rows[0].point), nullptr) << "rows of another experiment are not those of this one";
 }
 
-} // namespace
+}  // namespace
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -26,7 +26,8 @@ struct Moving {
     dvec3 at(const dvec3& barycentrics, double u) const {
         dvec3 point(0.0);
         for (int i = 0; i < 3; ++i)
-            point += barycentrics[i] * ((1.0 - u) * dvec3(a[static_cast<std::size_t>(i)]) + u * dvec3(b[static_cast<std::size_t>(i)]));
+            point += barycentrics[i] *
+                     ((1.0 - u) * dvec3(a[static_cast<std::size_t>(i)]) + u * dvec3(b[static_cast<std::size_t>(i)]));
         return point;
     }
     double largest() const {
@@ -80,7 +81,9 @@ class SweptBoundsTest : public testing::Test {
     std::mt19937 random_{20070815};
 };
 
-bool inImage(const dvec2& position) { return position.x >= 0.0 && position.y >= 0.0 && position.x <= 1.0 && position.y <= 1.0; }
+bool inImage(const dvec2& position) {
+    return position.x >= 0.0 && position.y >= 0.0 && position.x <= 1.0 && position.y <= 1.0;
+}
 
 /// How far outside of the bounds a position lies; 0 inside.
 double outside(const SweptBounds& bounds, const dvec2& position) {
@@ -100,8 +103,8 @@ TEST_F(SweptBoundsTest, PerspectiveHoldsEverythingThatIsSeen) {
         const SweptBounds bounds = perspective(t, static_cast<float>(nearDistance));
         crossing += bounds.crosses;
         open += bounds.low == glm::vec2(0) || bounds.high == glm::vec2(1) ? 1u : 0u;
-        // Each quotient is rounded once, to 2^-24 of itself. Two points, one in front and one behind, that are off by this
-        // much against each other move what lies between them by up to their size over the near distance.
+        // Each quotient is rounded once, to 2^-24 of itself. Two points, one in front and one behind, that are off by
+        // this much against each other move what lies between them by up to their size over the near distance.
         const double tolerance = std::ldexp(1.0, -22) * (1.0 + t.largest() / nearDistance);
         for (int j = 0; j < 32; ++j) {
             const dvec3 point = t.at(barycentrics(), time());
@@ -110,8 +113,8 @@ TEST_F(SweptBoundsTest, PerspectiveHoldsEverythingThatIsSeen) {
             if (!inImage(position)) continue;
             ++seen;
             ASSERT_LE(outside(bounds, position), tolerance)
-                << "triangle " << i << ": (" << position.x << ", " << position.y << ") is not in (" << bounds.low.x << ", " << bounds.low.y
-                << ") .. (" << bounds.high.x << ", " << bounds.high.y << ")";
+                << "triangle " << i << ": (" << position.x << ", " << position.y << ") is not in (" << bounds.low.x
+                << ", " << bounds.low.y << ") .. (" << bounds.high.x << ", " << bounds.high.y << ")";
         }
     }
     // The cases that matter did occur.
@@ -172,7 +175,8 @@ TEST_F(SweptBoundsTest, OrthographicIsTheHullOfTheEnds) {
         ASSERT_EQ(bounds.high, high);
         ASSERT_EQ(bounds.crosses, 0u);
         // A weighted mean in double may leave the hull by its own rounding only.
-        for (int j = 0; j < 8; ++j) ASSERT_LE(outside(bounds, dvec2(t.at(barycentrics(), time()))), 1e-12 * (1.0 + t.largest()));
+        for (int j = 0; j < 8; ++j)
+            ASSERT_LE(outside(bounds, dvec2(t.at(barycentrics(), time()))), 1e-12 * (1.0 + t.largest()));
     }
 }
 
@@ -206,13 +210,15 @@ class TurningBounds : public SweptBoundsTest {
 
     /// Where the camera of time u sees a point given in the view's coordinates: (s, t) and the distance.
     static dvec3 seen(const ViewPlan& view, const dvec3& point, double u) {
-        const glm::dmat3 rays = (1.0 - u) * glm::dmat3(glm::dmat4(view.block.raysOpen)) + u * glm::dmat3(glm::dmat4(view.block.raysClose));
+        const glm::dmat3 rays =
+            (1.0 - u) * glm::dmat3(glm::dmat4(view.block.raysOpen)) + u * glm::dmat3(glm::dmat4(view.block.raysClose));
         const dvec3 h = glm::inverse(rays) * point;
         return {h.x / h.z, h.y / h.z, h.z};
     }
 
     static SweptBounds bounds(const Moving& t, const ViewPlan& view) {
-        return shared::sweptBoundsTurning(t.a[0], t.a[1], t.a[2], t.b[0], t.b[1], t.b[2], view.block.raysOpen, view.block.raysClose);
+        return shared::sweptBoundsTurning(t.a[0], t.a[1], t.a[2], t.b[0], t.b[1], t.b[2], view.block.raysOpen,
+                                          view.block.raysClose);
     }
 };
 
@@ -234,7 +240,8 @@ TEST_F(TurningBounds, HoldEverythingThatIsSeen) {
             // A Bezier point is a sum of some thirty products of the coordinates, each rounded; over the homogeneous
             // weight, which is as small as the distance.
             const double error = outside(b, dvec2(s));
-            ASSERT_LE(error, std::ldexp(1.0, -19) * (1.0 + t.largest() / 0.02)) << "triangle " << i << " at " << s.x << ", " << s.y;
+            ASSERT_LE(error, std::ldexp(1.0, -19) * (1.0 + t.largest() / 0.02))
+                << "triangle " << i << " at " << s.x << ", " << s.y;
             if (b.crosses == 0u) worstInFront = std::max(worstInFront, error);
         }
     }
@@ -254,11 +261,13 @@ TEST_F(TurningBounds, AreThoseOfAStillCameraWhereItStandsStill) {
         const SweptBounds b = perspective(t, 0.02f);
         for (int d = 0; d < 2; ++d) {
             // Inner Bezier points are means of the ends, rounded twice more.
-            ASSERT_NEAR(static_cast<double>(a.low[d]), static_cast<double>(b.low[d]), std::ldexp(1.0 + t.largest() / 0.5, -21));
-            ASSERT_NEAR(static_cast<double>(a.high[d]), static_cast<double>(b.high[d]), std::ldexp(1.0 + t.largest() / 0.5, -21));
+            ASSERT_NEAR(static_cast<double>(a.low[d]), static_cast<double>(b.low[d]),
+                        std::ldexp(1.0 + t.largest() / 0.5, -21));
+            ASSERT_NEAR(static_cast<double>(a.high[d]), static_cast<double>(b.high[d]),
+                        std::ldexp(1.0 + t.largest() / 0.5, -21));
         }
     }
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

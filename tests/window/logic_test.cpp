@@ -5,11 +5,12 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <timeshade/paths.h>
 
+#include "core/error.h"
 #include "image/image_file.h"
 #include "panels/technique_pages.h"
 #include "panels/widgets.h"
-#include "scene/error.h"
 #include "techniques/registry.h"
 #include "window/frame_times.h"
 #include "window/layout.h"
@@ -124,7 +125,8 @@ TEST(OrbitCamera, ZoomHasEnds) {
 }
 
 TEST(OrbitCamera, PanMovesByTheWidthThatIsSeen) {
-    OrbitCamera camera(lookAt({0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 2.0 * std::atan(0.5), 0.01), unitBounds());
+    OrbitCamera camera(lookAt({0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 2.0 * std::atan(0.5), 0.01),
+                       unitBounds());
     camera.pan(0.0, 1.0);  // the picture is 5 units high where the point of interest lies
     EXPECT_NEAR(camera.pose().eye.y, 5.0, 1e-9);
     EXPECT_NEAR(camera.pose().eye.z, 5.0, 1e-9);
@@ -139,7 +141,8 @@ FrameRequest fullRequest() {
 
 /// A renderer whose time is in proportion to samples and to map texels.
 double costOf(const FrameRequest& r) {
-    return r.samplesPerPixel * (static_cast<double>(r.width) * r.height * 2.5e-4 + static_cast<double>(r.mapSize) * r.mapSize * 1e-4);
+    return r.samplesPerPixel *
+           (static_cast<double>(r.width) * r.height * 2.5e-4 + static_cast<double>(r.mapSize) * r.mapSize * 1e-4);
 }
 
 TEST(PreviewQuality, BecomesFastEnoughAndStaysSo) {
@@ -185,8 +188,9 @@ TEST(PreviewQuality, NeverAsksForNothing) {
 }
 
 bool overlap(const Area& a, const Area& b) {
-    return !a.empty() && !b.empty() && a.position.x < b.position.x + b.size.x && b.position.x < a.position.x + a.size.x &&
-           a.position.y < b.position.y + b.size.y && b.position.y < a.position.y + a.size.y;
+    return !a.empty() && !b.empty() && a.position.x < b.position.x + b.size.x &&
+           b.position.x < a.position.x + a.size.x && a.position.y < b.position.y + b.size.y &&
+           b.position.y < a.position.y + a.size.y;
 }
 
 TEST(Layout, NothingOverlapsOrSticksOut) {
@@ -236,18 +240,22 @@ TEST(Titles, OfSettings) {
 }
 
 TEST(WindowMemory, ComesBackAsItWas) {
-    const WindowMemory memory{1100, 640, 1.25, {{"section.plan", true}, {"section.camera", false}}, {"/a/\xff.glb", "/a/b.glb"}};
+    const WindowMemory memory{
+        1100, 640, 1.25, {{"section.plan", true}, {"section.camera", false}}, {"/a/\xff.glb", "/a/b.glb"}};
     WindowMemory read = memoryOfJson(jsonOf(memory), "F.json");
     EXPECT_EQ(read.recentScenes.size(), 2u) << "a name that is not UTF-8 is no reason to fail";
     read.recentScenes[0] = memory.recentScenes[0];
     EXPECT_EQ(read, memory);
-    EXPECT_EQ(memoryOfJson(jsonOf({1, 1, 1.0, {}, {}}), "F.json"), WindowMemory{}) << "nobody wants such a window again";
+    EXPECT_EQ(memoryOfJson(jsonOf({1, 1, 1.0, {}, {}}), "F.json"), WindowMemory{})
+        << "nobody wants such a window again";
     EXPECT_EQ(memoryOfJson(R"({"of a later version": [1]})", "F.json"), WindowMemory{});
 }
 
 TEST(WindowMemory, WhatMakesNoSenseIsNamed) {
-    for (const char* text : {"", "[]", "{", R"({"size": 5})", R"({"size": [1, 2]})", R"({"size": [1000, "wide"]})", R"({"size": [9e99, 700]})",
-                             R"({"text_size": 90})", R"({"sections": {"section.plan": "open"}})", R"({"sections": []})", R"({"recent": [1]})"}) {
+    for (const char* text :
+         {"", "[]", "{", R"({"size": 5})", R"({"size": [1, 2]})", R"({"size": [1000, "wide"]})",
+          R"({"size": [9e99, 700]})", R"({"text_size": 90})", R"({"sections": {"section.plan": "open"}})",
+          R"({"sections": []})", R"({"recent": [1]})"}) {
         try {
             memoryOfJson(text, "F.json");
             FAIL() << text;
@@ -263,7 +271,8 @@ TEST(TechniquePages, AreThere) {
     for (const TechniqueDescription& technique : techniqueDescriptions()) {
         const TechniquePage page = pageOf(technique.name);
         EXPECT_FALSE(page.wrong.empty() || page.look.empty() || page.shown.empty()) << technique.name << " has no page";
-        const std::filesystem::path file = std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "assets/pages" / (technique.name + ".png");
+        const std::filesystem::path file =
+            std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "assets/pages" / (technique.name + ".png");
         ASSERT_TRUE(std::filesystem::exists(file)) << file;
         const DisplayImage picture = readPng(file);
         EXPECT_EQ(picture.width, 448) << technique.name;
@@ -273,5 +282,5 @@ TEST(TechniquePages, AreThere) {
     EXPECT_LT(bytes, 400'000u) << "they are small";
 }
 
-} // namespace
-} // namespace timeshade
+}  // namespace
+}  // namespace timeshade

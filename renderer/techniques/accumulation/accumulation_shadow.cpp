@@ -22,7 +22,8 @@ void AccumulationShadow::visitSettings(SettingsVisitor& visitor) {
 
 std::vector<PassDecision> AccumulationShadow::passes(const FramePlan& plan) const {
     return {{"build", fmt::format("{} ordinary shadow maps, one an instant", renders_), plan.motion.triangles},
-            {"lookup", fmt::format("one camera sample per pixel and instant, {} in all; --spp has no effect", renders_), 0}};
+            {"lookup", fmt::format("one camera sample per pixel and instant, {} in all; --spp has no effect", renders_),
+             0}};
 }
 
-} // namespace timeshade
+}  // namespace timeshade

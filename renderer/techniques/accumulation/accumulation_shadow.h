@@ -1,13 +1,14 @@
 #pragma once
 
-#include "techniques/ordinary_map_shadow.h"
+#include "technique/ordinary_map_shadow.h"
 
 namespace timeshade {
 
 /// Brute force (Haeberli and Akeley 1990): the whole frame is drawn M times, each time with everything (camera, light,
 /// scene) at the instant u = (m + 1/2) / M and an ordinary shadow map of that instant, and the pictures are averaged.
-/// Time is sampled without noise, so an end of a shadow's interval is off by at most 1 / (2M) of the shutter; what remains is the map's resolution.
-/// Every render takes one camera sample per pixel, M in all: samples per pixel have no further effect.
+/// Time is sampled without noise, so an end of a shadow's interval is off by at most 1 / (2M) of the shutter; what
+/// remains is the map's resolution. Every render takes one camera sample per pixel, M in all: samples per pixel have no
+/// further effect.
 class AccumulationShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -15,7 +16,10 @@ class AccumulationShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
-    SamplingTraits samplingTraits() const override { return shadow_.samplingTraits(SamplingTraits::Times::EvenInstants, renders_); }
+    Footprint footprint() const override { return shadow_.footprint(); }
+    SamplingTraits samplingTraits() const override {
+        return shadow_.samplingTraits(SamplingTraits::Times::EvenInstants, renders_);
+    }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     int renders() const override { return renders_; }
     void build(const TechniqueFrame& frame) override { shadow_.build(frame); }
@@ -28,4 +32,4 @@ class AccumulationShadow final : public Technique {
     int renders_ = 256;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -10,13 +10,15 @@ namespace timeshade {
 
 namespace {
 
-/// Relative prices, fitted to measured frames (about nanoseconds on two cores of a software renderer): an entry is counted and
-/// written, an item (triangle and bucket) is set up twice, a cell is cleared and scanned, a candidate's bounds are looked at, a candidate
-/// whose bounds hold the receiver is tested. Fitted over cubes, octopus and chess with sides of 128 to 512 and 1 to 8 buckets.
+/// Relative prices, fitted to measured frames (about nanoseconds on two cores of a software renderer): an entry is
+/// counted and written, an item (triangle and bucket) is set up twice, a cell is cleared and scanned, a candidate's
+/// bounds are looked at, a candidate whose bounds hold the receiver is tested. Fitted over cubes, octopus and chess
+/// with sides of 128 to 512 and 1 to 8 buckets.
 constexpr double entryPrice = 40.0, itemPrice = 14.0, cellPrice = 21.0, boundsPrice = 0.8, testPrice = 5.6;
-/// How much more often than on average over the map receivers lie where casters are: what moves is what a camera is turned to.
-constexpr double stillCrowding = 1.8, movingCrowding = 4.0;
-constexpr int mostBuckets = 32;
+/// How much more often than on average over the map receivers lie where casters are: what moves is what a camera is
+/// turned to.
+constexpr double staticCrowding = 1.8, dynamicCrowding = 4.0;
+constexpr int maxBuckets = 32;
 constexpr double boundsSteps = 16.0;  // per cell, of a candidate's bounds
 
 struct Extent {
@@ -64,14 +66,17 @@ double boundsArea(const std::vector<Extent>& extents, double side, double bucket
     return sum;
 }
 
-} // namespace
+}  // namespace
 
-CandidateGridSize chooseCandidateGrid(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool move, int side, int buckets) {
+CandidateGridSize chooseCandidateGrid(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool move,
+                                      int side, int buckets) {
     double each = 0.0;
     const std::vector<Extent> extents = pick(plan, casters, each);
     const double samples = static_cast<double>(plan.block.imageSize.x) * plan.block.imageSize.y * plan.block.strata;
-    const double crowding = move ? movingCrowding : stillCrowding;
-    const int fewest = buckets > 0 && move ? buckets : 1, most = !move || casters.empty() ? 1 : buckets > 0 ? buckets : mostBuckets;
+    const double crowding = move ? dynamicCrowding : staticCrowding;
+    const int fewest = buckets > 0 && move ? buckets : 1, most = !move || casters.empty() ? 1
+                                                                 : buckets > 0            ? buckets
+                                                                                          : maxBuckets;
 
     CandidateGridSize best;
     double lowest = 1e300;
@@ -82,7 +87,8 @@ CandidateGridSize chooseCandidateGrid(const FramePlan& plan, const std::vector<s
             const double entries = b * each * entriesOf(extents, s, b);
             const double looked = entries / (cells * b), tested = each * boundsArea(extents, s, b);
             const double cost = entryPrice * entries + itemPrice * b * static_cast<double>(casters.size()) +
-                                crowding * samples * (boundsPrice * looked + testPrice * tested) + cellPrice * cells * b;
+                                crowding * samples * (boundsPrice * looked + testPrice * tested) +
+                                cellPrice * cells * b;
             if (cost >= lowest) continue;
             lowest = cost;
             best = {s, b, entries, crowding * tested};
@@ -91,4 +97,4 @@ CandidateGridSize chooseCandidateGrid(const FramePlan& plan, const std::vector<s
     return best;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

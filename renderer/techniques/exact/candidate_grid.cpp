@@ -12,7 +12,7 @@ namespace timeshade {
 namespace {
 
 /// Cells that one invocation visits alone; triangles with more share a work group.
-constexpr GLuint largestWalk = 256;
+constexpr GLuint maxWalk = 256;
 constexpr GLuint groupSize = 64;
 /// Groups that work on the queue of such triangles, whatever its length.
 constexpr GLuint largeGroups = 512;
@@ -25,39 +25,45 @@ std::size_t deviceLimit() {
 }
 
 /// One place a cell and one more, in one storage block.
-std::size_t mostCells() {
+std::size_t maxCells() {
     GLint64 block = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
     return static_cast<std::size_t>(block / 4 - 1);
 }
 
-} // namespace
+}  // namespace
 
 CandidateGrid::CandidateGrid(gl::ProgramCache& programs)
-    : programs_(programs), lists_(programs), casters_("shadow casters", GL_R32UI), candidates_("shadow candidates", GL_RGBA32UI) {}
+    : programs_(programs),
+      lists_(programs),
+      casters_("shadow casters", GL_R32UI),
+      candidates_("shadow candidates", GL_RGBA32UI) {}
 
-void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t>& casters, const CandidateGridSize& wanted,
-                          std::size_t mostEntries) {
-    mostEntries = std::min(mostEntries, deviceLimit());
+void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t>& casters,
+                          const CandidateGridSize& wanted, std::size_t maxEntries) {
+    maxEntries = std::min(maxEntries, deviceLimit());
     casters_.reserve(std::max<std::size_t>(casters.size(), 1), "draw fewer triangles");
-    glNamedBufferSubData(casters_.buffer().name(), 0, static_cast<GLsizeiptr>(casters.size() * sizeof(std::uint32_t)), casters.data());
+    glNamedBufferSubData(casters_.buffer().name(), 0, static_cast<GLsizeiptr>(casters.size() * sizeof(std::uint32_t)),
+                         casters.data());
     buckets_ = wanted.buckets;
     castersCount_ = casters.size();
     coarsened_ = false;
     for (side_ = wanted.side;; side_ /= 2) {
-        const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(buckets_);
-        if (cells > mostCells() && side_ > 1) {
+        const auto cells =
+            static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(buckets_);
+        if (cells > maxCells() && side_ > 1) {
             coarsened_ = true;
             continue;
         }
         lists_.beginCount(cells);
         insert(plan, casters.size(), false);
         entries_ = lists_.scan();
-        if (entries_ <= mostEntries || side_ <= 1) break;
+        if (entries_ <= maxEntries || side_ <= 1) break;
         coarsened_ = true;
     }
     constexpr std::size_t together = CANDIDATES_TOGETHER;
-    candidates_.reserve(2 * std::max<std::size_t>((entries_ + together - 1) / together, 1), "lower exact.buckets, or draw fewer triangles");
+    candidates_.reserve(2 * std::max<std::size_t>((entries_ + together - 1) / together, 1),
+                        "lower exact.buckets, or draw fewer triangles");
     lists_.bindCursors();
     candidates_.bindForWriting(TECHNIQUE_STORAGE_BINDING);
     insert(plan, casters.size(), true);
@@ -80,10 +86,10 @@ void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill
     if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
     if (fill) defines.emplace_back("FILL", "1");
     for (const bool large : {false, true}) {
-        const gl::Program& program =
-            programs_.get({.label = large ? "large casters" : "small casters",
-                           .defines = defines,
-                           .compute = large ? "techniques/exact/large_casters.comp" : "techniques/exact/small_casters.comp"});
+        const gl::Program& program = programs_.get(
+            {.label = large ? "large casters" : "small casters",
+             .defines = defines,
+             .compute = large ? "techniques/exact/large_casters.comp" : "techniques/exact/small_casters.comp"});
         program.use();
         glUniform1ui(0, static_cast<GLuint>(side_));
         glUniform1ui(1, static_cast<GLuint>(buckets_));
@@ -92,7 +98,7 @@ void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill
             glDispatchCompute(largeGroups, 1, 1);
         } else {
             glUniform1ui(3, static_cast<GLuint>(items));
-            glUniform1ui(5, largestWalk);
+            glUniform1ui(5, maxWalk);
             glDispatchCompute((static_cast<GLuint>(items) + groupSize - 1) / groupSize, 1, 1);
         }
     }
@@ -114,4 +120,4 @@ std::size_t CandidateGrid::bytes() const {
     return lists_.bytes() + casters_.bytes() + candidates_.bytes() + (queue_ ? queue_->bytes() : 0);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -13,18 +13,20 @@
 
 namespace timeshade {
 
-/// Lists of triangles that might shadow a receiver: one list per cell of the light's map and bucket of the shutter. Conservative: a triangle that covers any point of the
-/// cell at any time of the bucket is in that list, with what the projection may have rounded. An entry is the triangle's number and
-/// a depth that it is never nearer than.
+/// Lists of triangles that might shadow a receiver: one list per cell of the light's map and bucket of the shutter.
+/// Conservative: a triangle that covers any point of the cell at any time of the bucket is in that list, with what the
+/// projection may have rounded. An entry is the triangle's number and a depth that it is never nearer than.
 class CandidateGrid {
   public:
     explicit CandidateGrid(gl::ProgramCache& programs);
 
-    /// The frame's uniforms and the mesh must be bound. Where the lists would be larger than a storage block of this device takes, the grid's
-    /// side is halved until they fit: slower to look up, and the same picture. `mostEntries` may lower that limit further.
+    /// The frame's uniforms and the mesh must be bound. Where the lists would be larger than a storage block of this
+    /// device takes, the grid's side is halved until they fit: slower to look up, and the same picture. `maxEntries`
+    /// may lower that limit further.
     void build(const FramePlan& plan, const std::vector<std::uint32_t>& casters, const CandidateGridSize& wanted,
-               std::size_t mostEntries = ~std::size_t{0});
-    /// Offsets to `unit`, entries to `unit` + 1: of four entries one texel holds the bounds and the next one the triangles.
+               std::size_t maxEntries = ~std::size_t{0});
+    /// Offsets to `unit`, entries to `unit` + 1: of four entries one texel holds the bounds and the next one the
+    /// triangles.
     void bindForLookup(GLuint unit) const;
 
     int side() const { return side_; }
@@ -49,4 +51,4 @@ class CandidateGrid {
     bool coarsened_ = false;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

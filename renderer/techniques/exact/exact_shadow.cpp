@@ -5,14 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "plan/backdrop.h"
-
 namespace timeshade {
 
 const TechniqueDescription& ExactShadow::describe() {
     static const TechniqueDescription description{
         "exact", "Exact candidates",
-        "Lists the moving triangles that might shadow each part of the light's view, and tests them per camera sample at its own time: as right "
+        "Lists the moving triangles that might shadow each part of the light's view, and tests them per camera sample "
+        "at its own time: as right "
         "as ray tracing, without noise of its own, aliasing or bias.",
         "this program; after Story 2015 (hybrid ray-traced shadows) and Vasilakis, Fudos 2012 (S-buffer)"};
     return description;
@@ -20,57 +19,73 @@ const TechniqueDescription& ExactShadow::describe() {
 
 void ExactShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.whole("side", side_, 0, 0, 1024, "cells",
-                  "Cells along a side of the grid of lists; 0 lets a cost model choose a power of two up to --map. Changes time and "
+                  "Cells along a side of the grid of lists; 0 lets a cost model choose a power of two up to --map. "
+                  "Changes time and "
                   "memory, never the picture.");
     visitor.whole("buckets", buckets_, 0, 0, 32, "buckets",
-                  "Pieces of the shutter with lists of their own; 0 lets a cost model choose. Fast casters want more. Changes time and "
+                  "Pieces of the shutter with lists of their own; 0 lets a cost model choose. Fast casters want more. "
+                  "Changes time and "
                   "memory, never the picture.");
     visitor.toggle("list_all", listAll_, false,
-                   "Lists also what can't make a difference: triangles of closed surfaces that face away from the light, and those that nothing lies "
+                   "Lists also what can't make a difference: triangles of closed surfaces that face away from the "
+                   "light, and those that nothing lies "
                    "behind. Changes time and memory, never the picture.");
 }
 
-ExactShadow::Casters ExactShadow::castersOf(const FramePlan& plan, const std::vector<std::uint32_t>& ids, const std::vector<std::uint32_t>& more) const {
+ExactShadow::FrameCasters ExactShadow::castersOf(const FramePlan& plan) const {
+    std::optional<CasterCulling> culling;
+    if (!listAll_ && !plan.request.forceDynamic) culling.emplace(plan, surfaces_.of(plan));
+    return {sorted(culling, plan.casters.dynamicCasters, plan.casters.nearPlane),
+            sorted(culling, plan.casters.staticCasters, {})};
+}
+
+ExactShadow::Casters ExactShadow::sorted(const std::optional<CasterCulling>& culling,
+                                         const std::vector<std::uint32_t>& ids,
+                                         const std::vector<std::uint32_t>& more) {
     Casters casters;
-    const bool all = listAll_ || !plan.request.planned;
-    const std::vector<std::uint32_t>& surfaces = plan.surfaces->ofTriangles();
-    const Backdrop backdrop(plan.extent, plan.block, plan.light);
     for (const auto* list : {&ids, &more}) {
         for (const std::uint32_t id : *list) {
-            if (!all && plan.crossedInPairs[surfaces[id]] != 0 && (*plan.triangles)[id].light.facing == Facing::Away)
-                ++casters.facingAway;
-            else if (!all && backdrop.holds(plan.texels->positions, id))
-                ++casters.nothingBehind;
-            else
-                casters.listed.push_back(id);
+            switch (culling ? culling->of(id) : CasterCulling::Reason::None) {
+            case CasterCulling::Reason::FacingAway: ++casters.facingAway; break;
+            case CasterCulling::Reason::NoReceiverBehind: ++casters.noReceiverBehind; break;
+            case CasterCulling::Reason::None: casters.listed.push_back(id); break;
+            }
         }
     }
     return casters;
 }
 
-CandidateGridSize ExactShadow::wantedFor(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool moving) const {
+CandidateGridSize ExactShadow::wantedFor(const FramePlan& plan, const std::vector<std::uint32_t>& casters,
+                                         bool moving) const {
     return chooseCandidateGrid(plan, casters, moving, side_, buckets_);
 }
 
 std::vector<PassDecision> ExactShadow::passes(const FramePlan& plan) const {
     std::vector<PassDecision> passes;
     const auto add = [&](const char* name, const char* which, const CandidateGridSize& size, std::size_t triangles) {
-        passes.push_back({name,
-                          fmt::format("lists of {} x {} cells{} and {} bucket{} of time, for what {} in the light's frame; about {:.3g} entries, "
-                                      "{:.2g} candidates a sample expected",
-                                      size.side, size.side, side_ > 0 ? "" : " (chosen)", size.buckets, size.buckets == 1 ? "" : "s", which,
-                                      size.expectedEntries, size.expectedCandidates),
-                          triangles});
+        passes.push_back(
+            {name,
+             fmt::format("lists of {} x {} cells{} and {} bucket{} of time, for what {} in the light's frame; about "
+                         "{:.3g} entries, "
+                         "{:.2g} candidates a sample expected",
+                         size.side, size.side, side_ > 0 ? "" : " (chosen)", size.buckets, size.buckets == 1 ? "" : "s",
+                         which, size.expectedEntries, size.expectedCandidates),
+             triangles});
     };
-    const Casters movers = movingCasters(plan), standers = stillCasters(plan);
-    if (!standers.listed.empty()) add("build/still", "stands still", wantedFor(plan, standers.listed, false), standers.listed.size());
-    if (!movers.listed.empty()) add("build/moving", "moves", wantedFor(plan, movers.listed, true), movers.listed.size());
-    std::string lookup = "each camera sample against the triangles of its own cell and bucket, at its own time and place";
-    if (const std::size_t away = movers.facingAway + standers.facingAway; away > 0)
-        lookup += fmt::format("; {} that face away from the light are in no list: their surfaces are closed, so that the way to the light leaves "
-                              "whatever it enters",
-                              away);
-    if (const std::size_t behind = movers.nothingBehind + standers.nothingBehind; behind > 0)
+    const auto [dynamicCasters, staticCasters] = castersOf(plan);
+    if (!staticCasters.listed.empty())
+        add("build/static", "stands still", wantedFor(plan, staticCasters.listed, false), staticCasters.listed.size());
+    if (!dynamicCasters.listed.empty())
+        add("build/dynamic", "moves", wantedFor(plan, dynamicCasters.listed, true), dynamicCasters.listed.size());
+    std::string lookup =
+        "each camera sample against the triangles of its own cell and bucket, at its own time and place";
+    if (const std::size_t away = dynamicCasters.facingAway + staticCasters.facingAway; away > 0)
+        lookup += fmt::format(
+            "; {} that face away from the light are in no list: their surfaces are closed, so that the way to the "
+            "light leaves "
+            "whatever it enters",
+            away);
+    if (const std::size_t behind = dynamicCasters.noReceiverBehind + staticCasters.noReceiverBehind; behind > 0)
         lookup += fmt::format("; nor are {} that nothing lies behind", behind);
     passes.push_back({"lookup", lookup, 0});
     return passes;
@@ -78,38 +93,41 @@ std::vector<PassDecision> ExactShadow::passes(const FramePlan& plan) const {
 
 void ExactShadow::build(const TechniqueFrame& frame) {
     const FramePlan& plan = frame.plan;
-    Casters standers = stillCasters(plan);
+    auto [dynamicCasters, staticCasters] = castersOf(plan);
     // Which surfaces are crossed in pairs may depend on the camera, of which the version says nothing.
-    const bool kept = still_ && plan.still.casters != 0 && plan.still.casters == stillVersion_ && side_ == stillSide_ && standers.listed == standers_.listed;
-    standers_ = std::move(standers);
-    if (standers_.listed.empty()) {
+    const bool cached = still_ && plan.versions.casters != 0 && plan.versions.casters == staticVersion_ &&
+                        side_ == staticSide_ && staticCasters.listed == staticCasters_.listed;
+    staticCasters_ = std::move(staticCasters);
+    if (staticCasters_.listed.empty()) {
         still_.reset();
-    } else if (!kept) {
-        const auto timed = frame.timer.scope("build/still");
-        stillCastersTravel_ = std::any_of(standers_.listed.begin(), standers_.listed.end(), [&](std::uint32_t id) { return (*plan.triangles)[id].movesInWorld; });
-        wantedStill_ = wantedFor(plan, standers_.listed, false);
+    } else if (!cached) {
+        const auto timed = frame.timer.scope("build/static");
+        staticCastersTravel_ = std::any_of(staticCasters_.listed.begin(), staticCasters_.listed.end(),
+                                           [&](std::uint32_t id) { return (*plan.triangles)[id].movesInWorld; });
+        wantedStatic_ = wantedFor(plan, staticCasters_.listed, false);
         if (!still_) still_.emplace(programs_);
-        still_->build(plan, standers_.listed, wantedStill_);
+        still_->build(plan, staticCasters_.listed, wantedStatic_);
     }
-    stillVersion_ = plan.still.casters;
-    stillSide_ = side_;
-    movers_ = movingCasters(plan);
-    if (movers_.listed.empty()) {
+    staticVersion_ = plan.versions.casters;
+    staticSide_ = side_;
+    dynamicCasters_ = std::move(dynamicCasters);
+    if (dynamicCasters_.listed.empty()) {
         moving_.reset();
         return;
     }
-    const auto timed = frame.timer.scope("build/moving");
-    wantedMoving_ = wantedFor(plan, movers_.listed, true);
+    const auto timed = frame.timer.scope("build/dynamic");
+    wantedDynamic_ = wantedFor(plan, dynamicCasters_.listed, true);
     if (!moving_) moving_.emplace(programs_);
-    moving_->build(plan, movers_.listed, wantedMoving_);
+    moving_->build(plan, dynamicCasters_.listed, wantedDynamic_);
 }
 
 const gl::Program& ExactShadow::lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines) {
     for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
-    if (moving_) defines.emplace_back("MOVING_TRIANGLES", "1");
-    if (still_) defines.emplace_back("STILL_TRIANGLES", "1");
-    if (still_ && stillCastersTravel_) defines.emplace_back("STILL_CASTERS_TRAVEL", "1");
-    const gl::Program& program = programs_.get({"exact lookup", "passes/fullscreen.vert", "techniques/exact/lookup.frag", defines});
+    if (moving_) defines.emplace_back("DYNAMIC_TRIANGLES", "1");
+    if (still_) defines.emplace_back("STATIC_TRIANGLES", "1");
+    if (still_ && staticCastersTravel_) defines.emplace_back("STATIC_CASTERS_TRAVEL", "1");
+    const gl::Program& program =
+        programs_.get({"exact lookup", "passes/fullscreen.vert", "techniques/exact/lookup.frag", defines});
     program.use();
     if (moving_) {
         glUniform1ui(1, static_cast<GLuint>(moving_->side()));
@@ -124,7 +142,8 @@ const gl::Program& ExactShadow::lookupProgram(const TechniqueFrame& frame, gl::S
 }
 
 void ExactShadow::lookup(const TechniqueFrame& frame) {
-    frame.lookup.draw(frame, [&](const gl::ShaderDefines& purpose) -> const gl::Program& { return lookupProgram(frame, purpose); });
+    frame.lookup.draw(
+        frame, [&](const gl::ShaderDefines& purpose) -> const gl::Program& { return lookupProgram(frame, purpose); });
 }
 
 std::vector<TechniqueView> ExactShadow::views() const {
@@ -151,28 +170,33 @@ void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name,
     glDisable(GL_BLEND);
 }
 
-std::vector<TechniqueFigure> ExactShadow::figures() const {
-    std::vector<TechniqueFigure> figures{{"moving triangles", static_cast<double>(movers_.count()), "", ""},
-                                         {"still triangles", static_cast<double>(standers_.count()), "", ""},
-                                         {"left out, facing away", static_cast<double>(movers_.facingAway + standers_.facingAway), "", ""},
-                                         {"left out, nothing behind", static_cast<double>(movers_.nothingBehind + standers_.nothingBehind), "", ""}};
-    const auto add = [&](const std::string& which, const CandidateGrid& grid, const CandidateGridSize& wanted, std::size_t casters) {
+std::vector<TechniqueStatistic> ExactShadow::statistics() const {
+    std::vector<TechniqueStatistic> statistics{
+        {"dynamic triangles", static_cast<double>(dynamicCasters_.count()), "", ""},
+        {"static triangles", static_cast<double>(staticCasters_.count()), "", ""},
+        {"culled: facing away", static_cast<double>(dynamicCasters_.facingAway + staticCasters_.facingAway), "", ""},
+        {"culled: no receiver behind",
+         static_cast<double>(dynamicCasters_.noReceiverBehind + staticCasters_.noReceiverBehind), "", ""}};
+    const auto add = [&](const std::string& which, const CandidateGrid& grid, const CandidateGridSize& wanted,
+                         std::size_t casters) {
         const auto entries = static_cast<double>(grid.entries());
-        figures.push_back({which + "grid side", static_cast<double>(grid.side()), "cells",
-                           grid.coarsened() ? "the lists outgrew this device's storage blocks; the grid was made coarser, which costs time and no accuracy"
-                                            : ""});
-        figures.push_back({which + "entries", entries, "", ""});
-        figures.push_back({which + "entries expected", wanted.expectedEntries, "", ""});
-        figures.push_back({which + "entries per triangle", entries / static_cast<double>(casters), "", ""});
-        figures.push_back({which + "memory per triangle", grid.entryBytes() / static_cast<double>(casters), "bytes", ""});
-        figures.push_back({which + "memory of the cells", grid.cellBytes() / (1024.0 * 1024.0), "MiB", ""});
+        statistics.push_back({which + "grid side", static_cast<double>(grid.side()), "cells",
+                              grid.coarsened() ? "the lists outgrew this device's storage blocks; the grid was made "
+                                                 "coarser, which costs time and no accuracy"
+                                               : ""});
+        statistics.push_back({which + "entries", entries, "", ""});
+        statistics.push_back({which + "entries expected", wanted.expectedEntries, "", ""});
+        statistics.push_back({which + "entries per triangle", entries / static_cast<double>(casters), "", ""});
+        statistics.push_back(
+            {which + "memory per triangle", grid.entryBytes() / static_cast<double>(casters), "bytes", ""});
+        statistics.push_back({which + "memory of the cells", grid.cellBytes() / (1024.0 * 1024.0), "MiB", ""});
     };
     if (moving_) {
-        figures.push_back({"buckets", static_cast<double>(moving_->buckets()), "", ""});
-        add("", *moving_, wantedMoving_, movers_.count());
+        statistics.push_back({"buckets", static_cast<double>(moving_->buckets()), "", ""});
+        add("", *moving_, wantedDynamic_, dynamicCasters_.count());
     }
-    if (still_) add("still ", *still_, wantedStill_, standers_.count());
-    return figures;
+    if (still_) add("static ", *still_, wantedStatic_, staticCasters_.count());
+    return statistics;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

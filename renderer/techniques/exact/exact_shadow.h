@@ -2,20 +2,23 @@
 
 #include <optional>
 
+#include "culling/caster_culling.h"
+#include "technique/technique.h"
 #include "techniques/exact/candidate_grid.h"
-#include "techniques/technique.h"
 
 namespace timeshade {
 
-/// Shadows right at every sample. Each cell of a grid over the light's map lists the triangles that might shadow something there, by bucket
-/// of the shutter; each camera sample tests those of its cell and bucket by the definition itself (design section 1): the segment
-/// from its own receiver to the light's position at its own time, against the triangles' positions at that time. No time mismatch, no
-/// spatial aliasing, no bias: grid and buckets change the time taken and nothing else. Error: samples whose segment passes an edge within
-/// the rounding of floats (about 4e-7 of the distances), and casters within 1e-5 of the segment's length, which the definition leaves out. In the line of
+/// Shadows right at every sample. Each cell of a grid over the light's map lists the triangles that might shadow
+/// something there, by bucket of the shutter; each camera sample tests those of its cell and bucket by the definition
+/// itself (design section 1): the segment from its own receiver to the light's position at its own time, against the
+/// triangles' positions at that time. No time mismatch, no spatial aliasing, no bias: grid and buckets change the time
+/// taken and nothing else. Error: samples whose segment passes an edge within the rounding of floats (about 4e-7 of the
+/// distances), and casters within 1e-5 of the segment's length, which the definition leaves out. In the line of
 /// irregular shadow mapping (Johnson et al. 2005) and hybrid ray-traced shadows (Story 2015), extended in time.
 ///
-/// Listed is what may make a difference: of closed surfaces only the triangles that may face the light, as whatever a closed surface
-/// hides from the light is hidden by one of those (ClosedSurfaces), and nothing of the scene's backdrop, behind which nothing lies (Backdrop).
+/// Listed is what may make a difference: of closed surfaces only the triangles that may face the light, as whatever a
+/// closed surface hides from the light is hidden by one of those (ClosedSurfaces), and nothing of the scene's backdrop,
+/// behind which nothing lies (BoundingPlanes).
 class ExactShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -28,7 +31,7 @@ class ExactShadow final : public Technique {
     void lookup(const TechniqueFrame& frame) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
-    std::vector<TechniqueFigure> figures() const override;
+    std::vector<TechniqueStatistic> statistics() const override;
     std::vector<const gl::Texture*> textures() const override { return {}; }
     std::size_t bytes() const override { return (moving_ ? moving_->bytes() : 0) + (still_ ? still_->bytes() : 0); }
 
@@ -36,25 +39,30 @@ class ExactShadow final : public Technique {
     const gl::Program& lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines);
     struct Casters {
         std::vector<std::uint32_t> listed;
-        std::size_t facingAway = 0;     ///< left out: they face away from the light, and their surfaces are crossed in pairs
-        std::size_t nothingBehind = 0;  ///< left out: they belong to the backdrop
-        std::size_t count() const { return listed.size() + facingAway + nothingBehind; }
+        std::size_t facingAway =
+            0;  ///< left out: they face away from the light, and their surfaces are crossed in pairs
+        std::size_t noReceiverBehind = 0;  ///< left out: they belong to the backdrop
+        std::size_t count() const { return listed.size() + facingAway + noReceiverBehind; }
     };
-    Casters castersOf(const FramePlan& plan, const std::vector<std::uint32_t>& ids, const std::vector<std::uint32_t>& more = {}) const;
-    Casters movingCasters(const FramePlan& plan) const { return castersOf(plan, plan.casters.moving, plan.casters.nearPlane); }
-    Casters stillCasters(const FramePlan& plan) const { return castersOf(plan, plan.casters.still); }
+    struct FrameCasters {
+        Casters dynamicOnes, staticOnes;
+    };
+    FrameCasters castersOf(const FramePlan& plan) const;
+    static Casters sorted(const std::optional<CasterCulling>& culling, const std::vector<std::uint32_t>& ids,
+                          const std::vector<std::uint32_t>& more);
     CandidateGridSize wantedFor(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool moving) const;
 
     gl::ProgramCache& programs_;
     int side_ = 0, buckets_ = 0;
-    CandidateGridSize wantedMoving_, wantedStill_;
+    CandidateGridSize wantedDynamic_, wantedStatic_;
     std::optional<CandidateGrid> moving_, still_;  ///< none where nothing moves, or stands still, in the light's frame
     bool listAll_ = false;
-    std::uint64_t stillVersion_ = 0;
-    int stillSide_ = 0;
-    Casters movers_, standers_;  ///< of the frame drawn last
-    bool stillCastersTravel_ = false;  ///< some stand still only in the light's frame
+    mutable ClosedSurfaceCache surfaces_;
+    std::uint64_t staticVersion_ = 0;
+    int staticSide_ = 0;
+    Casters dynamicCasters_, staticCasters_;  ///< of the frame drawn last
+    bool staticCastersTravel_ = false;        ///< some stand still only in the light's frame
     std::optional<gl::Framebuffer> viewTarget_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -10,24 +10,25 @@
 namespace timeshade {
 
 /// What a frame is to the one drawn before it.
-struct FrameSequel {
-    bool hasPast = false;      ///< what was known may be used, as far as it can be found again
-    bool moved = false;        ///< the camera, or something in the scene
+struct FrameTransition {
+    bool hasPast = false;  ///< what was known may be used, as far as it can be found again
+    bool moved = false;    ///< the camera, or something in the scene
     bool cameraMoved = false;
-    bool held = false;         ///< the very same moment again
-    std::uint32_t index = 0;   ///< number of the map's rasterisation: grows with the frame's number and every repetition of it
-    int heldFrames = 0;        ///< how often the moment has been drawn before
-    int stillFrames = 0;       ///< frames since the camera came to rest
-    bool cameToRest = false;   ///< the frame before was the last of a movement of the camera
-    int unmovedFrames = 0;     ///< frames since anything moved at all, or since there was no past
-    std::vector<std::uint32_t> movers;  ///< triangles that moved, in ascending order
+    bool held = false;  ///< the very same moment again
+    std::uint32_t index =
+        0;  ///< number of the map's rasterisation: grows with the frame's number and every repetition of it
+    int heldFrames = 0;                         ///< how often the moment has been drawn before
+    int staticFrames = 0;                       ///< frames since the camera came to rest
+    bool cameraStopped = false;                 ///< the frame before was the last of a movement of the camera
+    int unmovedFrames = 0;                      ///< frames since anything moved at all, or since there was no past
+    std::vector<std::uint32_t> dynamicCasters;  ///< triangles that moved, in ascending order
 };
 
-/// Remembers what the frame before looked like, and finds out what has changed since. A change of size, samples, map, seed,
-/// shutter, scene, camera bookmark or settings, a step back in time or one of more than eight frames begins anew.
+/// Remembers what the frame before looked like, and finds out what has changed since. A change of size, samples, map,
+/// seed, shutter, scene, camera bookmark or settings, a step back in time or one of more than eight frames begins anew.
 class HistoryState {
   public:
-    FrameSequel follow(const FramePlan& plan, const std::vector<double>& settings);
+    FrameTransition follow(const FramePlan& plan, const std::vector<double>& settings);
     void forget() { past_.reset(); }
 
     /// The frame before; only where the sequel has a past.
@@ -38,7 +39,7 @@ class HistoryState {
         ViewPlan camera;
         LightPose lightOpen, lightClose;
         std::vector<double> settings;
-        int heldFrames = 0, stillFrames = 0, unmovedFrames = 0;
+        int heldFrames = 0, staticFrames = 0, unmovedFrames = 0;
         bool cameraMoved = false;
     };
     /// The frame that the last sequel followed; null where it had none.
@@ -48,4 +49,4 @@ class HistoryState {
     std::optional<Past> past_, before_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

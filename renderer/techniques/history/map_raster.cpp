@@ -30,10 +30,11 @@ std::vector<glm::dvec2> reachOf(Projection projection) {
     return corners;
 }
 
-/// Wimmer et al. 2004 in the light's map plane: the weight grows along the way that the camera looks, so that what is near keeps
-/// more texels. The distance of the warp's centre from the near end is n = (zn + sqrt(zn zf)) / sin(angle between the views),
-/// which goes to infinity, and the warp to nothing, as they become parallel.
-glm::dmat3 perspectiveWarp(const FramePlan& plan, const std::vector<glm::dvec3>& body, const std::vector<glm::dvec2>& corners) {
+/// Wimmer et al. 2004 in the light's map plane: the weight grows along the way that the camera looks, so that what is
+/// near keeps more texels. The distance of the warp's centre from the near end is n = (zn + sqrt(zn zf)) / sin(angle
+/// between the views), which goes to infinity, and the warp to nothing, as they become parallel.
+glm::dmat3 perspectiveWarp(const FramePlan& plan, const std::vector<glm::dvec3>& body,
+                           const std::vector<glm::dvec2>& corners) {
     const ViewEnd& camera = plan.camera.open;
     const glm::dvec3 direction = glm::normalize(camera.corner + 0.5 * (camera.right + camera.up));
     glm::dvec3 centre(0.0);
@@ -45,7 +46,8 @@ glm::dmat3 perspectiveWarp(const FramePlan& plan, const std::vector<glm::dvec3>&
     }
     nearest = std::max(nearest, 1e-3 * farthest);
     const bool directional = plan.lightOpen.kind == LightKind::Directional;
-    const glm::dvec3 ray = directional ? -plan.lightOpen.axes[2] : glm::normalize(centre - (plan.lightOpen.position - plan.origin));
+    const glm::dvec3 ray =
+        directional ? -plan.lightOpen.axes[2] : glm::normalize(centre - (plan.lightOpen.position - plan.origin));
     const double sine = glm::length(glm::cross(direction, ray));
     if (sine < 1e-3) return glm::dmat3(1.0);
     // A short step, so that it stays before a spot that looks the camera in the face.
@@ -84,7 +86,7 @@ glm::dmat3 fitted(const std::vector<glm::dvec2>& corners, double angle, bool squ
 
 glm::dmat3 shifted(const glm::dvec2& by) { return {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {by, 1.0}}; }
 
-} // namespace
+}  // namespace
 
 double radicalInverse(std::uint32_t base, std::uint32_t index) {
     double value = 0.0, digit = 1.0;
@@ -99,12 +101,16 @@ glm::dmat3 mapRaster(const FramePlan& plan, MapFit fit, MapJitter jitter, std::u
     if (jitter == MapJitter::None && fit == MapFit::Light) return glm::dmat3(1.0);
     const double texel = 1.0 / plan.request.mapSize;
     const double angle = jitter == MapJitter::ShiftAndTurn ? rightAngle * radicalInverse(5, index + 1) : 0.0;
-    const glm::dvec2 shift = jitter == MapJitter::None ? glm::dvec2(0.0) : (glm::dvec2(radicalInverse(2, index + 1), radicalInverse(3, index + 1)) - 0.5) * texel;
+    const glm::dvec2 shift =
+        jitter == MapJitter::None
+            ? glm::dvec2(0.0)
+            : (glm::dvec2(radicalInverse(2, index + 1), radicalInverse(3, index + 1)) - 0.5) * texel;
     std::vector<glm::dvec3> body;
     // What a camera sees on its way is more than what it sees at both ends.
     if (fit != MapFit::Light && !plan.motion.cameraMoves) body = seenBody(plan, plan.camera.open);
     // A texel's room for the shift.
-    if (body.size() < 3 || plan.motion.lightMoves) return shifted(shift) * fitted(reachOf(plan.light.projection), angle, true, texel);
+    if (body.size() < 3 || plan.motion.lightMoves)
+        return shifted(shift) * fitted(reachOf(plan.light.projection), angle, true, texel);
     std::vector<glm::dvec2> corners;
     for (const glm::dvec3& p : body) corners.push_back(onMapPlane(plan.light, p));
     const glm::dmat3 warp = fit == MapFit::Warped ? perspectiveWarp(plan, body, corners) : glm::dmat3(1.0);
@@ -113,7 +119,8 @@ glm::dmat3 mapRaster(const FramePlan& plan, MapFit fit, MapJitter jitter, std::u
     glm::dmat3 map = shifted(shift) * fitted(corners, angle, false, 3.0 * texel) * warp;
     const glm::dmat3 planeFromMap = glm::inverse(map);
     double most = 0.0;
-    for (const glm::dvec2 corner : {glm::dvec2(0.0, 0.0), glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), glm::dvec2(1.0, 1.0)}) {
+    for (const glm::dvec2 corner :
+         {glm::dvec2(0.0, 0.0), glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), glm::dvec2(1.0, 1.0)}) {
         const double inverseWeight = (planeFromMap * glm::dvec3(corner, 1.0)).z;
         if (!(inverseWeight > 1e-6)) return shifted(shift) * fitted(reachOf(plan.light.projection), angle, true, texel);
         most = std::max(most, inverseWeight);
@@ -121,4 +128,4 @@ glm::dmat3 mapRaster(const FramePlan& plan, MapFit fit, MapJitter jitter, std::u
     return map * most;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

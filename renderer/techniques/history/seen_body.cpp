@@ -74,7 +74,8 @@ struct Pyramid {
 };
 
 Pyramid pyramidOf(const ViewEnd& camera, double length) {
-    const std::array<glm::dvec3, 4> rays{camera.corner, camera.corner + camera.right, camera.corner + camera.right + camera.up, camera.corner + camera.up};
+    const std::array<glm::dvec3, 4> rays{camera.corner, camera.corner + camera.right,
+                                         camera.corner + camera.right + camera.up, camera.corner + camera.up};
     const glm::dvec3 middle = camera.corner + 0.5 * (camera.right + camera.up);
     Pyramid pyramid;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -95,11 +96,12 @@ std::vector<Plane> planesOf(const ViewPlan& light) {
     return {z - one * static_cast<double>(light.block.nearDistance), x, y, z - x, z - y};
 }
 
-} // namespace
+}  // namespace
 
 std::vector<glm::dvec3> seenBody(const FramePlan& plan, const ViewEnd& camera) {
     const Box box = boundsOf(*plan.texels);
-    const double length = 4.0 * (glm::distance(box.low, box.high) + glm::distance(camera.eye, 0.5 * (box.low + box.high)));
+    const double length =
+        4.0 * (glm::distance(box.low, box.high) + glm::distance(camera.eye, 0.5 * (box.low + box.high)));
     const Pyramid pyramid = pyramidOf(camera, length);
     std::vector<Polygon> surface;
     for (Polygon face : facesOf(box)) {
@@ -123,4 +125,4 @@ glm::dvec2 onMapPlane(const ViewPlan& light, const glm::dvec3& point) {
     return light.projection == Projection::Orthographic ? glm::dvec2(v) : glm::dvec2(v) / v.z;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

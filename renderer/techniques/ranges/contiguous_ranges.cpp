@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/error.h"
+#include "core/error.h"
 #include "techniques/ranges/bindings.shared.h"
 
 namespace timeshade {
@@ -23,7 +23,8 @@ std::vector<std::uint16_t> prismIndices() {
     std::vector<std::uint16_t> indices;
     for (std::size_t prism = 0; prism < prismsPerCall; ++prism) {
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-            for (const std::size_t vertex : {a, b, c}) indices.push_back(static_cast<std::uint16_t>(prism * verticesPerPrism + vertex));
+            for (const std::size_t vertex : {a, b, c})
+                indices.push_back(static_cast<std::uint16_t>(prism * verticesPerPrism + vertex));
         };
         add(0, 1, 2);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -40,10 +41,10 @@ std::vector<std::uint16_t> prismIndices() {
 
 /// As generate.comp counts them.
 struct DeviceCounts {
-    std::uint32_t oddLists = 0, longestList = 0, sparePlaces = 0, emptyRanges = 0;
+    std::uint32_t unpairedLists = 0, longestList = 0, sparePlaces = 0, emptyRanges = 0;
 };
 
-} // namespace
+}  // namespace
 
 ContiguousRanges::ContiguousRanges(gl::ProgramCache& programs)
     : programs_(programs),
@@ -63,18 +64,22 @@ ContiguousRanges::ContiguousRanges(gl::ProgramCache& programs)
 
 void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& motion) {
     const auto size = static_cast<std::size_t>(frame.plan.request.mapSize);
-    prisms_ = motion.moving.size();
+    prisms_ = motion.dynamicCasters.size();
     GLint64 largest = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
     if ((size * size + 1) * sizeof(GLuint) > static_cast<std::size_t>(largest))
-        throw Error(fmt::format("a list for each of {} x {} texels needs blocks of {} bytes; this device's GL_MAX_SHADER_STORAGE_BLOCK_SIZE "
-                                "is {}: lower --map",
-                                size, size, (size * size + 1) * sizeof(GLuint), largest));
+        throw Error(
+            fmt::format("a list for each of {} x {} texels needs blocks of {} bytes; this device's "
+                        "GL_MAX_SHADER_STORAGE_BLOCK_SIZE "
+                        "is {}: lower --map",
+                        size, size, (size * size + 1) * sizeof(GLuint), largest));
     {
         const auto timed = frame.timer.scope("build/collect");
         triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");
         if (prisms_ > 0)
-            glNamedBufferSubData(triangles_.buffer().name(), 0, static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)), motion.moving.data());
+            glNamedBufferSubData(triangles_.buffer().name(), 0,
+                                 static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)),
+                                 motion.dynamicCasters.data());
         glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, frame.plan.request.mapSize);
         glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, frame.plan.request.mapSize);
         lists_.beginCount(size * size);
@@ -94,7 +99,8 @@ void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& mot
     lists_.bindCursors();
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST_OFFSETS_BINDING, lists_.offsetsBuffer().name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RANGES_COUNTS_BINDING, counts_.name());
-    const gl::Program& program = programs_.get({.label = "ranges generate", .compute = "techniques/ranges/generate.comp"});
+    const gl::Program& program =
+        programs_.get({.label = "ranges generate", .compute = "techniques/ranges/generate.comp"});
     program.use();
     glUniform1ui(0, static_cast<GLuint>(size * size));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -117,8 +123,8 @@ void ContiguousRanges::drawPrisms(const TechniqueFrame& frame, bool fill) {
     glBindVertexArray(none_.name());
     for (std::size_t first = 0; first < prisms_; first += prismsPerCall) {
         const std::size_t count = std::min(prismsPerCall, prisms_ - first);
-        glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(count * indicesPerPrism), GL_UNSIGNED_SHORT, nullptr,
-                                 static_cast<GLint>(first * verticesPerPrism));
+        glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(count * indicesPerPrism), GL_UNSIGNED_SHORT,
+                                 nullptr, static_cast<GLint>(first * verticesPerPrism));
     }
 }
 
@@ -137,16 +143,17 @@ RangeCounts ContiguousRanges::counts() const {
     counts.fragments = places_ - device.sparePlaces;
     counts.ranges = places_ / 2 - device.emptyRanges;
     counts.longestList = device.longestList;
-    counts.oddLists = device.oddLists;
-    // Equation 2 has a fragment of 16 bytes, a range of 24 besides, and two words a texel. Here a range lies where its two fragments
-    // lay; the two words are the texel's place and its cursor.
-    counts.predictedBytes = places_ * bytesPerFragment + 2 * lists_.cells() * sizeof(std::uint32_t) + prisms_ * sizeof(std::uint32_t) +
-                            indices_.bytes();
+    counts.unpairedLists = device.unpairedLists;
+    // Equation 2 has a fragment of 16 bytes, a range of 24 besides, and two words a texel. Here a range lies where its
+    // two fragments lay; the two words are the texel's place and its cursor.
+    counts.predictedBytes = places_ * bytesPerFragment + 2 * lists_.cells() * sizeof(std::uint32_t) +
+                            prisms_ * sizeof(std::uint32_t) + indices_.bytes();
     return counts;
 }
 
 std::size_t ContiguousRanges::bytes() const {
-    return lists_.bytes() + triangles_.bytes() + ids_.bytes() + times_.bytes() + distances_.bytes() + slopes_.bytes() + counts_.bytes() + indices_.bytes();
+    return lists_.bytes() + triangles_.bytes() + ids_.bytes() + times_.bytes() + distances_.bytes() + slopes_.bytes() +
+           counts_.bytes() + indices_.bytes();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -9,10 +9,10 @@
 
 namespace timeshade {
 
-/// The repaired form. Each texel's fragments lie in a row in arrays of their fields (count, scan, fill), so that every array may
-/// fill a storage block of its own, and are sorted into ranges where they lie: 20 bytes a fragment (triangle, time, distance, and
-/// how the two change from texel to texel), 40 a range, nothing twice. A list has room for an even number, so that the two ends of
-/// a range are one texel of each buffer texture.
+/// The repaired form. Each texel's fragments lie in a row in arrays of their fields (count, scan, fill), so that every
+/// array may fill a storage block of its own, and are sorted into ranges where they lie: 20 bytes a fragment (triangle,
+/// time, distance, and how the two change from texel to texel), 40 a range, nothing twice. A list has room for an even
+/// number, so that the two ends of a range are one texel of each buffer texture.
 class ContiguousRanges final : public RangeLists {
   public:
     explicit ContiguousRanges(gl::ProgramCache& programs);
@@ -33,4 +33,4 @@ class ContiguousRanges final : public RangeLists {
     std::size_t prisms_ = 0, places_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -9,14 +9,15 @@ namespace timeshade {
 namespace {
 
 constexpr std::size_t bytesPerFragment = 16, bytesPerRange = RANGE_WORDS * sizeof(std::uint32_t);
-const char* const advice = "the linked lists are too long: lower --map, or use the repaired form, whose fragments are smaller";
+const char* const advice =
+    "the linked lists are too long: lower --map, or use the repaired form, whose fragments are smaller";
 
 /// As the shaders count them.
 struct DeviceCounts {
-    std::uint32_t fragments = 0, ranges = 0, oddLists = 0, longestList = 0;
+    std::uint32_t fragments = 0, ranges = 0, unpairedLists = 0, longestList = 0;
 };
 
-} // namespace
+}  // namespace
 
 LinkedRanges::LinkedRanges(gl::ProgramCache& programs)
     : programs_(programs),
@@ -34,13 +35,15 @@ LinkedRanges::LinkedRanges(gl::ProgramCache& programs)
 void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion) {
     const int size = frame.plan.request.mapSize;
     texels_ = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-    prisms_ = motion.moving.size();
+    prisms_ = motion.dynamicCasters.size();
     triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");
     if (prisms_ > 0)
-        glNamedBufferSubData(triangles_.buffer().name(), 0, static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)), motion.moving.data());
+        glNamedBufferSubData(triangles_.buffer().name(), 0, static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)),
+                             motion.dynamicCasters.data());
     heads_.reserve(texels_, advice);
     rangeHeads_.reserve(texels_, advice);
-    fragmentList_.reserve(std::max<std::size_t>(std::min(fragments_, capacity_), 1), advice);  // as many as the last frame had room for
+    fragmentList_.reserve(std::max<std::size_t>(std::min(fragments_, capacity_), 1),
+                          advice);  // as many as the last frame had room for
     glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
     glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
     {
@@ -91,7 +94,8 @@ void LinkedRanges::collect(const TechniqueFrame& frame) {
 void LinkedRanges::generate() {
     rangeHeads_.bindForWriting(LINKED_RANGE_HEADS_BINDING);
     rangeList_.bindForWriting(LINKED_RANGES_BINDING);
-    const gl::Program& program = programs_.get({.label = "published ranges generate", .compute = "techniques/ranges/published_generate.comp"});
+    const gl::Program& program =
+        programs_.get({.label = "published ranges generate", .compute = "techniques/ranges/published_generate.comp"});
     program.use();
     glUniform1ui(0, static_cast<GLuint>(texels_));
     glDispatchCompute(static_cast<GLuint>((texels_ + 63) / 64), 1, 1);
@@ -110,13 +114,15 @@ RangeCounts LinkedRanges::counts() const {
     counts.fragments = device.fragments;
     counts.ranges = device.ranges;
     counts.longestList = device.longestList;
-    counts.oddLists = device.oddLists;
-    counts.predictedBytes = counts.fragments * bytesPerFragment + counts.ranges * bytesPerRange + 2 * texels_ * sizeof(std::uint32_t);
+    counts.unpairedLists = device.unpairedLists;
+    counts.predictedBytes =
+        counts.fragments * bytesPerFragment + counts.ranges * bytesPerRange + 2 * texels_ * sizeof(std::uint32_t);
     return counts;
 }
 
 std::size_t LinkedRanges::bytes() const {
-    return triangles_.bytes() + heads_.bytes() + fragmentList_.bytes() + rangeHeads_.bytes() + rangeList_.bytes() + counts_.bytes();
+    return triangles_.bytes() + heads_.bytes() + fragmentList_.bytes() + rangeHeads_.bytes() + rangeList_.bytes() +
+           counts_.bytes();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

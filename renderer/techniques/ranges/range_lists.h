@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "plan/light_motion.h"
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
 /// How many of what a frame's lists held.
 struct RangeCounts {
-    std::size_t fragments = 0;    ///< of prisms, over all texels: N_f
-    std::size_t ranges = 0;       ///< N_r
-    std::size_t longestList = 0;  ///< fragments of one texel
-    std::size_t oddLists = 0;     ///< texels in which a prism left an odd number of fragments: it was not closed
+    std::size_t fragments = 0;       ///< of prisms, over all texels: N_f
+    std::size_t ranges = 0;          ///< N_r
+    std::size_t longestList = 0;     ///< fragments of one texel
+    std::size_t unpairedLists = 0;   ///< texels in which a prism left an odd number of fragments: it was not closed
     std::size_t predictedBytes = 0;  ///< memory by equation 2 of Hong and Oh 2019, with this form's sizes
 };
 
@@ -22,8 +22,8 @@ struct RangeCounts {
 class RangeLists {
   public:
     virtual ~RangeLists() = default;
-    /// Draws the prisms of motion.moving and makes ranges of them, timed as "build/collect" and "build/generate". Throws
-    /// Error that names the limit where the device can't hold the lists.
+    /// Draws the prisms of motion.dynamicCasters and makes ranges of them, timed as "build/collect" and
+    /// "build/generate". Throws Error that names the limit where the device can't hold the lists.
     virtual void build(const TechniqueFrame& frame, const LightMotion& motion) = 0;
     /// Binds what shaders/techniques/ranges/lists.glsl reads.
     virtual void bind() const = 0;
@@ -32,4 +32,4 @@ class RangeLists {
     virtual std::size_t bytes() const = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -11,22 +11,24 @@
 namespace timeshade {
 
 const TechniqueDescription& RangesShadow::describe() {
-    static const TechniqueDescription description{
-        "ranges", "Depth-time ranges",
-        "Lists, per map texel, of when each moving triangle covers it and how far away: no noise of the map's own, memory grows with "
-        "what moves.",
-        "Hong and Oh 2019"};
+    static const TechniqueDescription description{"ranges", "Depth-time ranges",
+                                                  "Lists, per map texel, of when each moving triangle covers it and "
+                                                  "how far away: no noise of the map's own, memory grows with "
+                                                  "what moves.",
+                                                  "Hong and Oh 2019"};
     return description;
 }
 
 void RangesShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.number("bias", bias_, 0.5, 0.0, 64.0, "texels",
-                   "How much nearer to the light a caster must be before it counts. Hides steps between neighbouring triangles, and "
+                   "How much nearer to the light a caster must be before it counts. Hides steps between neighbouring "
+                   "triangles, and "
                    "with them real contacts.");
     visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
                    "Further bias in proportion to how steeply the surface falls away from the light.");
     visitor.toggle("as_published", asPublished_, false,
-                   "The paper taken literally, its mistakes included: linked lists, pairs by depth, depths and times linear in the map.");
+                   "The paper taken literally, its mistakes included: linked lists, pairs by depth, depths and times "
+                   "linear in the map.");
 }
 
 SamplingTraits RangesShadow::samplingTraits() const {
@@ -40,18 +42,27 @@ SamplingTraits RangesShadow::samplingTraits() const {
 std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
     const LightMotion& motion = plan.casters;
     std::vector<PassDecision> passes;
-    if (!motion.still.empty())
-        passes.push_back({"build/still map", "an ordinary map of what stands still in the light's frame, kept until something of it changes", motion.still.size()});
-    std::string reason = motion.moving.empty() ? "nothing moves in the light's frame: no prisms" : "a prism for each triangle that moves in the light's frame";
-    if (motion.bending > 0)
-        reason += fmt::format("; {} of them turn or deform, so their sides are not flat and their times are off by some thousandths of the shutter",
-                              motion.bending);
-    reason += asPublished_ ? "; fragments of one triangle are paired by depth" : "; fragments of one triangle are paired by time";
-    passes.push_back({"build", reason, motion.moving.size()});
+    if (!motion.staticCasters.empty())
+        passes.push_back(
+            {"build/static map",
+             "an ordinary map of what stands still in the light's frame, kept until something of it changes",
+             motion.staticCasters.size()});
+    std::string reason = motion.dynamicCasters.empty() ? "nothing moves in the light's frame: no prisms"
+                                                       : "a prism for each triangle that moves in the light's frame";
+    if (motion.nonTranslating > 0)
+        reason += fmt::format(
+            "; {} of them turn or deform, so their sides are not flat and their times are off by some thousandths of "
+            "the shutter",
+            motion.nonTranslating);
+    reason += asPublished_ ? "; fragments of one triangle are paired by depth"
+                           : "; fragments of one triangle are paired by time";
+    passes.push_back({"build", reason, motion.dynamicCasters.size()});
     std::string lookup = "each camera sample against the ranges of its texel that hold its time";
     if (!motion.nearPlane.empty())
-        lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane", motion.nearPlane.size())
-                               : fmt::format("; against {} triangles that cross the light's near plane one by one", motion.nearPlane.size());
+        lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane",
+                                             motion.nearPlane.size())
+                               : fmt::format("; against {} triangles that cross the light's near plane one by one",
+                                             motion.nearPlane.size());
     passes.push_back({"lookup", lookup, asPublished_ ? 0 : motion.nearPlane.size()});
     return passes;
 }
@@ -60,25 +71,27 @@ LightMotion RangesShadow::listed(const FramePlan& plan) const {
     LightMotion motion = plan.casters;
     if (!asPublished_) return motion;
     // The paper knows no near plane: such prisms are clipped and stay open.
-    const auto middle = static_cast<std::ptrdiff_t>(motion.moving.size());
-    motion.moving.insert(motion.moving.end(), motion.nearPlane.begin(), motion.nearPlane.end());
-    std::inplace_merge(motion.moving.begin(), motion.moving.begin() + middle, motion.moving.end());
+    const auto middle = static_cast<std::ptrdiff_t>(motion.dynamicCasters.size());
+    motion.dynamicCasters.insert(motion.dynamicCasters.end(), motion.nearPlane.begin(), motion.nearPlane.end());
+    std::inplace_merge(motion.dynamicCasters.begin(), motion.dynamicCasters.begin() + middle,
+                       motion.dynamicCasters.end());
     motion.nearPlane.clear();
     return motion;
 }
 
 void RangesShadow::build(const TechniqueFrame& frame) {
     const LightMotion motion = listed(frame.plan);
-    stillCasters_ = motion.still.size();
-    moving_ = motion.moving.size();
-    bending_ = motion.bending;
+    staticCasters_ = motion.staticCasters.size();
+    moving_ = motion.dynamicCasters.size();
+    nonTranslating_ = motion.nonTranslating;
     {
-        const auto timed = frame.timer.scope("build/still map");
-        if (!stillMap_) stillMap_.emplace(programs_);
-        stillMap_->draw(frame.plan, frame.mesh);
+        const auto timed = frame.timer.scope("build/static map");
+        if (!staticMap_) staticMap_.emplace(programs_);
+        staticMap_->draw(frame.plan, frame.mesh);
     }
     near_.set(motion.nearPlane);
-    if (builtAsPublished_ != asPublished_ || moving_ == 0) lists_.reset();  // first, so that both forms need not fit at once
+    if (builtAsPublished_ != asPublished_ || moving_ == 0)
+        lists_.reset();  // first, so that both forms need not fit at once
     builtAsPublished_ = asPublished_;
     if (moving_ > 0) buildLists(frame, motion);
 }
@@ -102,22 +115,24 @@ gl::ShaderDefines RangesShadow::lookupDefines(const FramePlan& plan) const {
 void RangesShadow::lookup(const TechniqueFrame& frame) {
     frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
         for (const auto& define : lookupDefines(frame.plan)) defines.push_back(define);
-        if (stillCasters_ > 0) defines.emplace_back("STILL_TRIANGLES", "1");
-        if (lists_) defines.emplace_back("MOVING_TRIANGLES", "1");
+        if (staticCasters_ > 0) defines.emplace_back("STATIC_TRIANGLES", "1");
+        if (lists_) defines.emplace_back("DYNAMIC_TRIANGLES", "1");
         if (near_.count() > 0) defines.emplace_back("NEAR_TRIANGLES", "1");
-        const gl::Program& program = programs_.get({"ranges lookup", "passes/fullscreen.vert", "techniques/ranges/lookup.frag", defines});
+        const gl::Program& program =
+            programs_.get({"ranges lookup", "passes/fullscreen.vert", "techniques/ranges/lookup.frag", defines});
         program.use();
         glUniform1f(2, bias_);
         glUniform1f(3, slopeBias_);
         if (near_.count() > 0) near_.bind();
-        stillMap_->depth().bind(RANGES_STILL_UNIT);
+        staticMap_->depth().bind(RANGES_STATIC_UNIT);
         if (lists_) lists_->bind();
         return program;
     });
 }
 
 std::vector<TechniqueView> RangesShadow::views() const {
-    return {{"ranges", "Ranges per texel", "ranges", 0.0, 64.0, false}, {"time", "When the first range begins", "u", 0.0, 1.0, false}};
+    return {{"ranges", "Ranges per texel", "ranges", 0.0, 64.0, false},
+            {"time", "When the first range begins", "u", 0.0, 1.0, false}};
 }
 
 void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
@@ -125,7 +140,8 @@ void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name
     if (!lists_) buildLists(frame, listed(frame.plan));  // empty ones, to be looked at
     gl::ShaderDefines defines = lookupDefines(frame.plan);
     if (name == "time") defines.emplace_back("VIEW_TIME", "1");
-    const gl::Program& program = programs_.get({"ranges view", "passes/fullscreen.vert", "techniques/ranges/view.frag", defines});
+    const gl::Program& program =
+        programs_.get({"ranges view", "passes/fullscreen.vert", "techniques/ranges/view.frag", defines});
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     lists_->bind();
     if (!viewTarget_) viewTarget_.emplace("ranges view target");
@@ -135,34 +151,38 @@ void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name
     frame.fullscreen.draw(program);
 }
 
-std::vector<TechniqueFigure> RangesShadow::figures() const {
-    if (!stillMap_) return {};
+std::vector<TechniqueStatistic> RangesShadow::statistics() const {
+    if (!staticMap_) return {};
     const RangeCounts counts = lists_ ? lists_->counts() : RangeCounts{};
     const auto number = [](std::size_t n) { return static_cast<double>(n); };
-    std::vector<TechniqueFigure> figures{
-        {"moving triangles", number(moving_), "", ""},
-        {"bending triangles", number(bending_), "", bending_ > 0 ? "the sides of their prisms are not flat: times are off by some thousandths" : ""},
-        {"still triangles", number(stillCasters_), "", ""},
+    std::vector<TechniqueStatistic> statistics{
+        {"dynamic triangles", number(moving_), "", ""},
+        {"non-translating triangles", number(nonTranslating_), "",
+         nonTranslating_ > 0 ? "the sides of their prisms are not flat: times are off by some thousandths" : ""},
+        {"static triangles", number(staticCasters_), "", ""},
         {"near-plane triangles", number(near_.count()), "", ""},
         {"fragments", number(counts.fragments), "", ""},
         {"ranges", number(counts.ranges), "", ""},
         {"longest list", number(counts.longestList), "fragments", ""},
-        {"odd lists", number(counts.oddLists), "texels", counts.oddLists > 0 ? "prisms were not closed there: shadows may begin or end at the wrong time" : ""},
+        {"lists with unpaired fragments", number(counts.unpairedLists), "texels",
+         counts.unpairedLists > 0 ? "prisms were not closed there: shadows may begin or end at the wrong time" : ""},
         {"memory by equation 2", number(predictedBytes(counts)), "bytes", ""},
     };
-    return figures;
+    return statistics;
 }
 
 /// The ordinary map of still triangles is no part of the paper's equation, and is added.
-std::size_t RangesShadow::predictedBytes(const RangeCounts& counts) const { return counts.predictedBytes + stillMap_->bytes(); }
+std::size_t RangesShadow::predictedBytes(const RangeCounts& counts) const {
+    return counts.predictedBytes + staticMap_->bytes();
+}
 
 std::vector<const gl::Texture*> RangesShadow::textures() const {
-    if (!stillMap_ || !stillMap_->drawn()) return {};
-    return {&stillMap_->depth()};
+    if (!staticMap_ || !staticMap_->drawn()) return {};
+    return {&staticMap_->depth()};
 }
 
 std::size_t RangesShadow::bytes() const {
-    return (lists_ ? lists_->bytes() : 0) + (stillMap_ ? stillMap_->bytes() : 0) + near_.bytes();
+    return (lists_ ? lists_->bytes() : 0) + (staticMap_ ? staticMap_->bytes() : 0) + near_.bytes();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -4,23 +4,23 @@
 #include <optional>
 
 #include "passes/near_triangles.h"
-#include "passes/still_map.h"
+#include "passes/static_map.h"
+#include "technique/technique.h"
 #include "techniques/ranges/range_lists.h"
-#include "techniques/technique.h"
 
 namespace timeshade {
 
-/// Depth-time ranges (Hong and Oh 2019). The volume that a moving triangle sweeps in the light's map is drawn as a closed
-/// surface, a prism; where it covers a texel, fragments say when the triangle comes and when it goes, and how far away: a range
-/// (begin, end, depth at begin, depth at end, triangle). A receiver is in shadow if a range of its texel holds its time and is
-/// nearer than it. No time is sampled for the map, so there is no time mismatch.
-/// Fragments also keep how time and distance change across the texel (which the paper's do not), so that an edge that sweeps over
+/// Depth-time ranges (Hong and Oh 2019). The volume that a moving triangle sweeps in the light's map is drawn as a
+/// closed surface, a prism; where it covers a texel, fragments say when the triangle comes and when it goes, and how
+/// far away: a range (begin, end, depth at begin, depth at end, triangle). A receiver is in shadow if a range of its
+/// texel holds its time and is nearer than it. No time is sampled for the map, so there is no time mismatch. Fragments
+/// also keep how time and distance change across the texel (which the paper's do not), so that an edge that sweeps over
 /// texels is placed where the receiver is, not where the texel's centre is; no farther than the edge itself reaches.
-/// Exact to the texel where a triangle moves without turning (its sides are flat then); where it turns or deforms, the sides are
-/// bilinear, the fans that stand for them are corrected to first order, and what is left are some thousandths (means of .002, .005,
-/// .013 of the shutter at 5, 15, 45 degrees of turn; without the correction .006, .014, .027).
-/// Still triangles go to an ordinary map. Triangles that cross the light's near plane have no prism: each sample tests them exactly.
-/// `as_published` is the paper taken literally; see LinkedRanges for what is different.
+/// Exact to the texel where a triangle moves without turning (its sides are flat then); where it turns or deforms, the
+/// sides are bilinear, the fans that stand for them are corrected to first order, and what is left are some thousandths
+/// (means of .002, .005, .013 of the shutter at 5, 15, 45 degrees of turn; without the correction .006, .014, .027).
+/// Still triangles go to an ordinary map. Triangles that cross the light's near plane have no prism: each sample tests
+/// them exactly. `as_published` is the paper taken literally; see LinkedRanges for what is different.
 class RangesShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -34,7 +34,7 @@ class RangesShadow final : public Technique {
     void lookup(const TechniqueFrame& frame) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
-    std::vector<TechniqueFigure> figures() const override;
+    std::vector<TechniqueStatistic> statistics() const override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;
 
@@ -51,10 +51,10 @@ class RangesShadow final : public Technique {
 
     bool builtAsPublished_ = false;
     std::unique_ptr<RangeLists> lists_;  ///< none where nothing moves
-    std::optional<StillMap> stillMap_;
+    std::optional<StaticMap> staticMap_;
     NearTriangles near_;
-    std::size_t stillCasters_ = 0, moving_ = 0, bending_ = 0;
+    std::size_t staticCasters_ = 0, moving_ = 0, nonTranslating_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -15,4 +15,4 @@ std::vector<PassDecision> StaticShadow::passes(const FramePlan& plan) const {
             {"lookup", "each camera sample's surface point, taken to u = 0.5, against that map", 0}};
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "techniques/ordinary_map_shadow.h"
+#include "technique/ordinary_map_shadow.h"
 
 namespace timeshade {
 
@@ -13,7 +13,10 @@ class StaticShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override { shadow_.visitSettings(visitor); }
-    SamplingTraits samplingTraits() const override { return shadow_.samplingTraits(SamplingTraits::Times::OneInstant, 1); }
+    Footprint footprint() const override { return shadow_.footprint(); }
+    SamplingTraits samplingTraits() const override {
+        return shadow_.samplingTraits(SamplingTraits::Times::OneInstant, 1);
+    }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override { shadow_.build(frame); }
     void lookup(const TechniqueFrame& frame) override { shadow_.lookup(frame); }
@@ -24,4 +27,4 @@ class StaticShadow final : public Technique {
     OrdinaryMapShadow shadow_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t bytesPerTuple = 20;
 
-} // namespace
+}  // namespace
 
 ExactTuples::ExactTuples(gl::ProgramCache& programs)
     : programs_(programs),
@@ -45,7 +45,8 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
     glNamedBufferSubData(skipped_.name(), 0, sizeof none, &none);
     // Blocks may not be left unbound, though nothing is written while counting.
     const auto reserve = [&](std::size_t count) {
-        for (gl::GrowingBuffer* field : {&times_, &depths_, &ids_}) field->reserve(std::max<std::size_t>(count, 1), "the lists of tuples are too long: lower --map");
+        for (gl::GrowingBuffer* field : {&times_, &depths_, &ids_})
+            field->reserve(std::max<std::size_t>(count, 1), "the lists of tuples are too long: lower --map");
         times_.bindForWriting(TUPLE_TIMES_BINDING);
         depths_.bindForWriting(TUPLE_DEPTHS_BINDING);
         ids_.bindForWriting(TUPLE_IDS_BINDING);
@@ -56,13 +57,13 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
         reserve(1);
         lists_.beginCount(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
         target_.bindForDrawing(size, size);
-        covers_.draw(programs_, "techniques/temporal/visits.frag", defines, 0);
+        covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines, 0);
         tuples_ = lists_.scan();
     }
     const auto timed = frame.timer.scope("build/tuples");
     reserve(tuples_);
     target_.bindForDrawing(size, size);
-    if (tuples_ > 0) covers_.draw(programs_, "techniques/temporal/visits.frag", defines, 1);
+    if (tuples_ > 0) covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines, 1);
     CellLists::finishFill();
 }
 
@@ -93,17 +94,21 @@ TupleCounts ExactTuples::counts() const {
     TupleCounts counts;
     counts.tuples = tuples_;
     std::vector<GLuint> offsets(lists_.cells() + 1);
-    glGetNamedBufferSubData(lists_.offsetsBuffer().name(), 0, static_cast<GLsizeiptr>(offsets.size() * sizeof(GLuint)), offsets.data());
+    glGetNamedBufferSubData(lists_.offsetsBuffer().name(), 0, static_cast<GLsizeiptr>(offsets.size() * sizeof(GLuint)),
+                            offsets.data());
     for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)
         counts.longestList = std::max<std::size_t>(counts.longestList, offsets[cell + 1] - offsets[cell]);
-    counts.predictedBytes = tuples_ * bytesPerTuple + lists_.cells() * 2 * sizeof(GLuint) + covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
+    counts.predictedBytes = tuples_ * bytesPerTuple + lists_.cells() * 2 * sizeof(GLuint) +
+                            covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
     if (coverage_) {
         GLuint skipped = 0;
         glGetNamedBufferSubData(skipped_.name(), 0, sizeof skipped, &skipped);
         counts.skippedTuples = skipped;
         std::vector<float> claims(lists_.cells());
-        glGetTextureImage(coverage_->name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, static_cast<GLsizei>(claims.size() * sizeof(float)), claims.data());
-        counts.coveredTexels = static_cast<std::size_t>(std::count_if(claims.begin(), claims.end(), [](float claim) { return claim > 0.0f; }));
+        glGetTextureImage(coverage_->name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                          static_cast<GLsizei>(claims.size() * sizeof(float)), claims.data());
+        counts.coveredTexels = static_cast<std::size_t>(
+            std::count_if(claims.begin(), claims.end(), [](float claim) { return claim > 0.0f; }));
         counts.predictedBytes += coverage_->bytes();
     }
     return counts;
@@ -115,7 +120,8 @@ std::vector<const gl::Texture*> ExactTuples::textures() const {
 }
 
 std::size_t ExactTuples::bytes() const {
-    return covers_.bytes() + lists_.bytes() + times_.bytes() + depths_.bytes() + ids_.bytes() + skipped_.bytes() + (coverage_ ? coverage_->bytes() : 0);
+    return covers_.bytes() + lists_.bytes() + times_.bytes() + depths_.bytes() + ids_.bytes() + skipped_.bytes() +
+           (coverage_ ? coverage_->bytes() : 0);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -9,12 +9,13 @@
 
 namespace timeshade {
 
-/// The repaired form. A tuple is a visit of the texel's centre by the triangle as it moves, with times from the roots of its edge
-/// functions (shared/visits.shared.h): several visits give several tuples, bent sides are right, and both distances are linear ones.
-/// Between a tuple's ends the distance is taken as linear, which it is while the triangle does not turn; else the visit is cut
-/// (at most in eight) until the chord is within a quarter of a texel. Lists of exact size, 20 bytes a tuple.
-/// The coverage map claims a texel for a triangle only if its centre is inside at every instant, and leaves out only tuples behind the
-/// farthest distance that the claiming triangle ever has in that texel: no sample changes.
+/// The repaired form. A tuple is a visit of the texel's centre by the triangle as it moves, with times from the roots
+/// of its edge functions (shared/coverage_intervals.shared.h): several visits give several tuples, bent sides are
+/// right, and both distances are linear ones. Between a tuple's ends the distance is taken as linear, which it is while
+/// the triangle does not turn; else the visit is cut (at most in eight) until the chord is within a quarter of a texel.
+/// Lists of exact size, 20 bytes a tuple. The coverage map claims a texel for a triangle only if its centre is inside
+/// at every instant, and leaves out only tuples behind the farthest distance that the claiming triangle ever has in
+/// that texel: no sample changes.
 class ExactTuples final : public TupleLists {
   public:
     explicit ExactTuples(gl::ProgramCache& programs);
@@ -38,4 +39,4 @@ class ExactTuples final : public TupleLists {
     std::size_t tuples_ = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -12,23 +12,26 @@ namespace timeshade {
 namespace {
 
 /// A square wastes what lies beside a long sweep; a rectangle costs four vertices.
-constexpr float largestPointSide = 12.0f;
+constexpr float maxPointSide = 12.0f;
 /// As many rectangles as one call draws: their vertices are numbered by 16 bits.
 constexpr std::size_t rectanglesPerCall = 16384;
 
 std::vector<std::uint16_t> rectangleIndices() {
     std::vector<std::uint16_t> indices;
     for (std::size_t rectangle = 0; rectangle < rectanglesPerCall; ++rectangle)
-        for (const std::size_t corner : {0u, 1u, 2u, 2u, 1u, 3u}) indices.push_back(static_cast<std::uint16_t>(4 * rectangle + corner));
+        for (const std::size_t corner : {0u, 1u, 2u, 2u, 1u, 3u})
+            indices.push_back(static_cast<std::uint16_t>(4 * rectangle + corner));
     return indices;
 }
 
 void upload(gl::GrowingBuffer& buffer, const std::vector<std::uint32_t>& list) {
     buffer.reserve(std::max<std::size_t>(list.size(), 1), "a scene of fewer moving triangles is needed");
-    if (!list.empty()) glNamedBufferSubData(buffer.buffer().name(), 0, static_cast<GLsizeiptr>(list.size() * sizeof(std::uint32_t)), list.data());
+    if (!list.empty())
+        glNamedBufferSubData(buffer.buffer().name(), 0, static_cast<GLsizeiptr>(list.size() * sizeof(std::uint32_t)),
+                             list.data());
 }
 
-} // namespace
+}  // namespace
 
 MovingCovers::MovingCovers()
     : smallTriangles_("small sweeps", GL_R32UI),
@@ -43,9 +46,10 @@ void MovingCovers::set(const FramePlan& plan, const std::vector<std::uint32_t>& 
     orthographic_ = plan.light.projection == Projection::Orthographic;
     std::vector<std::uint32_t> small, large;
     for (const std::uint32_t id : triangles) {
-        const shared::SweptBounds bounds = boundsOf(plan.light, viewTriangle(plan.light.block, plan.texels->positions, id));
+        const shared::SweptBounds bounds =
+            boundsOf(plan.light, viewTriangle(plan.light.block, plan.texels->positions, id));
         const glm::vec2 extent = (bounds.high - bounds.low) * plan.light.block.size;
-        (bounds.crosses == 0u && std::max(extent.x, extent.y) <= largestPointSide ? small : large).push_back(id);
+        (bounds.crosses == 0u && std::max(extent.x, extent.y) <= maxPointSide ? small : large).push_back(id);
     }
     upload(smallTriangles_, small);
     upload(largeTriangles_, large);
@@ -53,19 +57,22 @@ void MovingCovers::set(const FramePlan& plan, const std::vector<std::uint32_t>& 
     large_ = large.size();
 }
 
-void MovingCovers::draw(gl::ProgramCache& programs, const std::string& fragment, const gl::ShaderDefines& defines, std::optional<GLuint> uniform0) const {
+void MovingCovers::draw(gl::ProgramCache& programs, const std::string& fragment, const gl::ShaderDefines& defines,
+                        std::optional<GLuint> uniform0) const {
     gl::ShaderDefines all = defines;
     if (orthographic_) all.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
     glDisable(GL_BLEND);
     if (large_ > 0) {
-        const gl::Program& program = programs.get({"moving rectangles", "techniques/temporal/cover.vert", fragment, all});
+        const gl::Program& program =
+            programs.get({"moving rectangles", "techniques/temporal/cover.vert", fragment, all});
         program.use();
         if (uniform0) glUniform1ui(0, *uniform0);
         largeTriangles_.bindForReading(COVER_TRIANGLES_UNIT);
         glBindVertexArray(rectangles_.name());
         for (std::size_t first = 0; first < large_; first += rectanglesPerCall)
-            glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(6 * std::min(rectanglesPerCall, large_ - first)), GL_UNSIGNED_SHORT, nullptr,
-                                     static_cast<GLint>(4 * first));
+            glDrawElementsBaseVertex(GL_TRIANGLES,
+                                     static_cast<GLsizei>(6 * std::min(rectanglesPerCall, large_ - first)),
+                                     GL_UNSIGNED_SHORT, nullptr, static_cast<GLint>(4 * first));
     }
     if (small_ > 0) {
         all.emplace_back("COVER_POINTS", "1");
@@ -79,4 +86,4 @@ void MovingCovers::draw(gl::ProgramCache& programs, const std::string& fragment,
     }
 }
 
-} // namespace timeshade
+}  // namespace timeshade

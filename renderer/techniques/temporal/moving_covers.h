@@ -11,17 +11,19 @@
 
 namespace timeshade {
 
-/// One cheap cover a moving triangle over all texels of the light's map that it may visit during the shutter: a point where its
-/// sweep is small, else a rectangle. The fragment shader gets the triangle (techniques/temporal/moving_triangle.glsl) and decides.
+/// One cheap cover a moving triangle over all texels of the light's map that it may visit during the shutter: a point
+/// where its sweep is small, else a rectangle. The fragment shader gets the triangle
+/// (techniques/temporal/moving_triangle.glsl) and decides.
 class MovingCovers {
   public:
     MovingCovers();
 
     /// Uploads the triangles, sorted by kind of cover.
     void set(const FramePlan& plan, const std::vector<std::uint32_t>& triangles);
-    /// Draws all covers into the framebuffer that is bound. `uniform0` goes to uniform location 0 of the fragment shader,
-    /// if it has one.
-    void draw(gl::ProgramCache& programs, const std::string& fragment, const gl::ShaderDefines& defines, std::optional<GLuint> uniform0 = std::nullopt) const;
+    /// Draws all covers into the framebuffer that is bound. `uniform0` goes to uniform location 0 of the fragment
+    /// shader, if it has one.
+    void draw(gl::ProgramCache& programs, const std::string& fragment, const gl::ShaderDefines& defines,
+              std::optional<GLuint> uniform0 = std::nullopt) const;
     std::size_t count() const { return small_ + large_; }
     std::size_t bytes() const { return smallTriangles_.bytes() + largeTriangles_.bytes() + indices_.bytes(); }
     /// Of the index buffer, whose size does not depend on the scene.
@@ -35,4 +37,4 @@ class MovingCovers {
     bool orthographic_ = false;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -6,7 +6,10 @@
 
 namespace timeshade {
 
-PublishedCoverage::PublishedCoverage(gl::ProgramCache& programs) : programs_(programs), target_("published coverage target") { target_.setColorCount(1); }
+PublishedCoverage::PublishedCoverage(gl::ProgramCache& programs)
+    : programs_(programs), target_("published coverage target") {
+    target_.setColorCount(1);
+}
 
 void PublishedCoverage::draw(int mapSize, const MovingCovers& covers) {
     if (!coverage_ || coverage_->width() != mapSize) {
@@ -35,7 +38,8 @@ void PublishedCoverage::draw(int mapSize, const MovingCovers& covers) {
     covers.draw(programs_, "techniques/temporal/published_overlap.frag", {});
 
     // A pass may not read what it writes: the third reads the second's result and writes a copy.
-    glCopyImageSubData(overlap_->name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, coverage_->name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, mapSize, mapSize, 1);
+    glCopyImageSubData(overlap_->name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, coverage_->name(), GL_TEXTURE_2D_ARRAY, 0, 0,
+                       0, 0, mapSize, mapSize, 1);
     target_.attach(GL_COLOR_ATTACHMENT0, *coverage_);
     target_.bindForDrawing(mapSize, mapSize);
     glDepthFunc(GL_GREATER);
@@ -52,4 +56,4 @@ std::size_t PublishedCoverage::bytes() const {
     return sum;
 }
 
-} // namespace timeshade
+}  // namespace timeshade

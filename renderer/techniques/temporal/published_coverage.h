@@ -2,15 +2,16 @@
 
 #include <optional>
 
+#include "technique/technique.h"
 #include "techniques/temporal/moving_covers.h"
-#include "techniques/technique.h"
 
 namespace timeshade {
 
-/// The coverage map of Hong and Oh 2017 as published ("Extension"): nearest map, overlap pass, reset pass. R32F: the number of the
-/// triangle that is taken to cover the texel all through the shutter, or -1. It says so wherever both ends of the prism cover the
-/// texel's centre, which does not mean that the triangle covers it in between. Where the paper leaves a choice: the pass without a
-/// depth test that writes depth is drawn with GL_ALWAYS, and the end that it tests is the one whose depth stays.
+/// The coverage map of Hong and Oh 2017 as published ("Extension"): nearest map, overlap pass, reset pass. R32F: the
+/// number of the triangle that is taken to cover the texel all through the shutter, or -1. It says so wherever both
+/// ends of the prism cover the texel's centre, which does not mean that the triangle covers it in between. Where the
+/// paper leaves a choice: the pass without a depth test that writes depth is drawn with GL_ALWAYS, and the end that it
+/// tests is the one whose depth stays.
 class PublishedCoverage {
   public:
     explicit PublishedCoverage(gl::ProgramCache& programs);
@@ -24,4 +25,4 @@ class PublishedCoverage {
     std::optional<gl::Texture> nearest_, overlap_, coverage_, depth_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

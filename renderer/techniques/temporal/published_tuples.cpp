@@ -12,7 +12,7 @@ struct DeviceCounts {
     GLuint tuples = 0, skipped = 0;
 };
 
-} // namespace
+}  // namespace
 
 PublishedTuples::PublishedTuples(gl::ProgramCache& programs)
     : programs_(programs),
@@ -74,21 +74,27 @@ TupleCounts PublishedTuples::counts() const {
     TupleCounts counts;
     counts.tuples = count_;
     std::vector<GLuint> heads(texels_), tuples(std::max<std::size_t>(count_, 1) * LINKED_TUPLE_WORDS);
-    glGetNamedBufferSubData(heads_.buffer().name(), 0, static_cast<GLsizeiptr>(heads.size() * sizeof(GLuint)), heads.data());
-    glGetNamedBufferSubData(tuples_.buffer().name(), 0, static_cast<GLsizeiptr>(tuples.size() * sizeof(GLuint)), tuples.data());
+    glGetNamedBufferSubData(heads_.buffer().name(), 0, static_cast<GLsizeiptr>(heads.size() * sizeof(GLuint)),
+                            heads.data());
+    glGetNamedBufferSubData(tuples_.buffer().name(), 0, static_cast<GLsizeiptr>(tuples.size() * sizeof(GLuint)),
+                            tuples.data());
     for (const GLuint head : heads) {
         std::size_t length = 0;
-        for (GLuint tuple = head; tuple != NO_TUPLE; tuple = tuples[std::size_t{tuple} * LINKED_TUPLE_WORDS + 5]) ++length;
+        for (GLuint tuple = head; tuple != NO_TUPLE; tuple = tuples[std::size_t{tuple} * LINKED_TUPLE_WORDS + 5])
+            ++length;
         counts.longestList = std::max(counts.longestList, length);
     }
-    counts.predictedBytes = count_ * LINKED_TUPLE_WORDS * sizeof(GLuint) + texels_ * sizeof(GLuint) + covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
+    counts.predictedBytes = count_ * LINKED_TUPLE_WORDS * sizeof(GLuint) + texels_ * sizeof(GLuint) +
+                            covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
     if (coverage_) {
         DeviceCounts device;
         glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
         counts.skippedTuples = device.skipped;
         std::vector<float> covered(texels_);
-        glGetTextureImage(coverage_->map().name(), 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(covered.size() * sizeof(float)), covered.data());
-        counts.coveredTexels = static_cast<std::size_t>(std::count_if(covered.begin(), covered.end(), [](float id) { return id >= 0.0f; }));
+        glGetTextureImage(coverage_->map().name(), 0, GL_RED, GL_FLOAT,
+                          static_cast<GLsizei>(covered.size() * sizeof(float)), covered.data());
+        counts.coveredTexels = static_cast<std::size_t>(
+            std::count_if(covered.begin(), covered.end(), [](float id) { return id >= 0.0f; }));
         // Nearest map 8 bytes, coverage map twice 4 (as drawn and as reset), depth 4.
         counts.predictedBytes += texels_ * 20;
     }
@@ -104,4 +110,4 @@ std::size_t PublishedTuples::bytes() const {
     return covers_.bytes() + heads_.bytes() + tuples_.bytes() + counts_.bytes() + (coverage_ ? coverage_->bytes() : 0);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -12,25 +12,28 @@
 namespace timeshade {
 
 const TechniqueDescription& TemporalShadow::describe() {
-    static const TechniqueDescription description{
-        "temporal", "Temporal shadow maps",
-        "Lists, per map texel, of when each moving triangle is there and how far away: each triangle is drawn once for the whole shutter, "
-        "memory grows with what moves.",
-        "Hong and Oh 2017"};
+    static const TechniqueDescription description{"temporal", "Temporal shadow maps",
+                                                  "Lists, per map texel, of when each moving triangle is there and how "
+                                                  "far away: each triangle is drawn once for the whole shutter, "
+                                                  "memory grows with what moves.",
+                                                  "Hong and Oh 2017"};
     return description;
 }
 
 void TemporalShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.number("bias", bias_, 0.5, 0.0, 64.0, "texels",
-                   "How much nearer to the light a caster must be before it counts. Hides steps between neighbouring triangles, and "
+                   "How much nearer to the light a caster must be before it counts. Hides steps between neighbouring "
+                   "triangles, and "
                    "with them real contacts.");
     visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
                    "Further bias in proportion to how steeply the surface falls away from the light.");
     visitor.toggle("coverage_map", coverageMap_, false,
-                   "Finds the texels that one triangle covers all through the shutter, and leaves out what lies behind it there: shorter lists "
+                   "Finds the texels that one triangle covers all through the shutter, and leaves out what lies behind "
+                   "it there: shorter lists "
                    "for one more pass.");
     visitor.toggle("as_published", asPublished_, false,
-                   "The paper taken literally, its mistakes included: swept prisms of flat triangles, one tuple a triangle, depths linear in the "
+                   "The paper taken literally, its mistakes included: swept prisms of flat triangles, one tuple a "
+                   "triangle, depths linear in the "
                    "window, a coverage map that takes two ends for the whole shutter.");
 }
 
@@ -45,35 +48,49 @@ SamplingTraits TemporalShadow::samplingTraits() const {
 std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
     const LightMotion& motion = plan.casters;
     std::vector<PassDecision> passes;
-    if (!motion.still.empty())
-        passes.push_back({"build/still map", "an ordinary map of what stands still in the light's frame, kept until something of it changes", motion.still.size()});
-    if (coverageMap_) passes.push_back({"coverage", "texels that one triangle covers all through the shutter", motion.moving.size()});
-    std::string reason = motion.moving.empty() ? "nothing moves in the light's frame: no tuples" : "when each triangle that moves in the light's frame is where";
-    if (motion.bending > 0)
-        reason += asPublished_ ? fmt::format("; {} of them turn or deform, so the sides of their prisms are bent, and flat triangles stand for them", motion.bending)
-                               : fmt::format("; {} of them turn or deform: times are exact, distances between them within a quarter of a texel as a rule",
-                                             motion.bending);
-    passes.push_back({"build", reason, motion.moving.size()});
+    if (!motion.staticCasters.empty())
+        passes.push_back(
+            {"build/static map",
+             "an ordinary map of what stands still in the light's frame, kept until something of it changes",
+             motion.staticCasters.size()});
+    if (coverageMap_)
+        passes.push_back(
+            {"coverage", "texels that one triangle covers all through the shutter", motion.dynamicCasters.size()});
+    std::string reason = motion.dynamicCasters.empty() ? "nothing moves in the light's frame: no tuples"
+                                                       : "when each triangle that moves in the light's frame is where";
+    if (motion.nonTranslating > 0)
+        reason += asPublished_ ? fmt::format(
+                                     "; {} of them turn or deform, so the sides of their prisms are bent, and flat "
+                                     "triangles stand for them",
+                                     motion.nonTranslating)
+                               : fmt::format(
+                                     "; {} of them turn or deform: times are exact, distances between them within a "
+                                     "quarter of a texel as a rule",
+                                     motion.nonTranslating);
+    passes.push_back({"build", reason, motion.dynamicCasters.size()});
     std::string lookup = "each camera sample against the tuples of its texel that hold its time";
     if (!motion.nearPlane.empty())
-        lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane", motion.nearPlane.size())
-                               : fmt::format("; against {} triangles that cross the light's near plane one by one", motion.nearPlane.size());
+        lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane",
+                                             motion.nearPlane.size())
+                               : fmt::format("; against {} triangles that cross the light's near plane one by one",
+                                             motion.nearPlane.size());
     passes.push_back({"lookup", lookup, asPublished_ ? 0 : motion.nearPlane.size()});
     return passes;
 }
 
 void TemporalShadow::build(const TechniqueFrame& frame) {
     const LightMotion& motion = frame.plan.casters;
-    stillCasters_ = motion.still.size();
-    moving_ = motion.moving.size();
-    bending_ = motion.bending;
+    staticCasters_ = motion.staticCasters.size();
+    moving_ = motion.dynamicCasters.size();
+    nonTranslating_ = motion.nonTranslating;
     const bool otherForm = builtAsPublished_ != asPublished_;
     builtAsPublished_ = asPublished_;
     {
-        const auto timed = frame.timer.scope("build/still map");
+        const auto timed = frame.timer.scope("build/static map");
         // The published form draws what moves by a rasteriser's rules, the repaired one by texels' middles.
-        if (!stillMap_ || otherForm) stillMap_.emplace(programs_, asPublished_ ? StillMap::Coverage::Rasterized : StillMap::Coverage::Exact);
-        stillMap_->draw(frame.plan, frame.mesh);
+        if (!staticMap_ || otherForm)
+            staticMap_.emplace(programs_, asPublished_ ? StaticMap::Coverage::Rasterized : StaticMap::Coverage::Exact);
+        staticMap_->draw(frame.plan, frame.mesh);
     }
     near_.set(motion.nearPlane);
     const std::vector<std::uint32_t> triangles = listed(frame.plan);
@@ -83,7 +100,7 @@ void TemporalShadow::build(const TechniqueFrame& frame) {
 }
 
 std::vector<std::uint32_t> TemporalShadow::listed(const FramePlan& plan) const {
-    std::vector<std::uint32_t> triangles = plan.casters.moving;
+    std::vector<std::uint32_t> triangles = plan.casters.dynamicCasters;
     if (!asPublished_) return triangles;
     // The paper knows no near plane: such prisms are clipped and stay open.
     const auto middle = static_cast<std::ptrdiff_t>(triangles.size());
@@ -111,23 +128,25 @@ gl::ShaderDefines TemporalShadow::lookupDefines(const FramePlan& plan) const {
 void TemporalShadow::lookup(const TechniqueFrame& frame) {
     frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
         for (const auto& define : lookupDefines(frame.plan)) defines.push_back(define);
-        if (lists_) defines.emplace_back("MOVING_TRIANGLES", "1");
+        if (lists_) defines.emplace_back("DYNAMIC_TRIANGLES", "1");
         if (lists_ && builtWithCoverage_) defines.emplace_back("COVERAGE_MAP", "1");
         const bool nearOnes = !builtAsPublished_ && near_.count() > 0;
         if (nearOnes) defines.emplace_back("NEAR_TRIANGLES", "1");
-        const gl::Program& program = programs_.get({"temporal lookup", "passes/fullscreen.vert", "techniques/temporal/lookup.frag", defines});
+        const gl::Program& program =
+            programs_.get({"temporal lookup", "passes/fullscreen.vert", "techniques/temporal/lookup.frag", defines});
         program.use();
         glUniform1f(2, bias_);
         glUniform1f(3, slopeBias_);
         if (nearOnes) near_.bind();
-        stillMap_->depth().bind(TUPLE_STILL_UNIT);
+        staticMap_->depth().bind(TUPLE_STATIC_UNIT);
         if (lists_) lists_->bind();
         return program;
     });
 }
 
 std::vector<TechniqueView> TemporalShadow::views() const {
-    return {{"tuples", "Tuples per texel", "tuples", 0.0, 64.0, false}, {"time", "When the first tuple begins", "u", 0.0, 1.0, false}};
+    return {{"tuples", "Tuples per texel", "tuples", 0.0, 64.0, false},
+            {"time", "When the first tuple begins", "u", 0.0, 1.0, false}};
 }
 
 void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
@@ -135,7 +154,8 @@ void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& na
     if (!lists_) buildLists(frame, listed(frame.plan));  // empty ones, to be looked at
     gl::ShaderDefines defines = lookupDefines(frame.plan);
     if (name == "time") defines.emplace_back("VIEW_TIME", "1");
-    const gl::Program& program = programs_.get({"temporal view", "passes/fullscreen.vert", "techniques/temporal/view.frag", defines});
+    const gl::Program& program =
+        programs_.get({"temporal view", "passes/fullscreen.vert", "techniques/temporal/view.frag", defines});
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     lists_->bind();
     if (!viewTarget_) viewTarget_.emplace("temporal view target");
@@ -145,37 +165,45 @@ void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& na
     frame.fullscreen.draw(program);
 }
 
-std::vector<TechniqueFigure> TemporalShadow::figures() const {
-    if (!stillMap_) return {};
+std::vector<TechniqueStatistic> TemporalShadow::statistics() const {
+    if (!staticMap_) return {};
     const TupleCounts counts = lists_ ? lists_->counts() : TupleCounts{};
     const auto number = [](std::size_t n) { return static_cast<double>(n); };
-    std::vector<TechniqueFigure> figures{
-        {"moving triangles", number(moving_), "", ""},
-        {"bending triangles", number(bending_), "", bending_ > 0 && builtAsPublished_ ? "the sides of their prisms are bent: times are off by some thousandths" : ""},
-        {"still triangles", number(stillCasters_), "", ""},
-        {"near-plane triangles", number(near_.count()), "", near_.count() > 0 && builtAsPublished_ ? "their prisms are cut open: shadows may begin or end at the wrong time" : ""},
+    std::vector<TechniqueStatistic> statistics{
+        {"dynamic triangles", number(moving_), "", ""},
+        {"non-translating triangles", number(nonTranslating_), "",
+         nonTranslating_ > 0 && builtAsPublished_
+             ? "the sides of their prisms are bent: times are off by some thousandths"
+             : ""},
+        {"static triangles", number(staticCasters_), "", ""},
+        {"near-plane triangles", number(near_.count()), "",
+         near_.count() > 0 && builtAsPublished_
+             ? "their prisms are cut open: shadows may begin or end at the wrong time"
+             : ""},
         {"tuples", number(counts.tuples), "", ""},
         {"longest list", number(counts.longestList), "tuples", ""},
     };
     if (builtWithCoverage_) {
-        figures.push_back({"covered texels", number(counts.coveredTexels), "texels", ""});
-        figures.push_back({"tuples skipped", number(counts.skippedTuples), "", ""});
+        statistics.push_back({"covered texels", number(counts.coveredTexels), "texels", ""});
+        statistics.push_back({"tuples skipped", number(counts.skippedTuples), "", ""});
     }
-    figures.push_back({"memory", number(bytes()), "bytes", ""});
-    figures.push_back({"memory predicted", number(counts.predictedBytes + stillMap_->bytes() + near_.count() * sizeof(std::uint32_t)), "bytes", ""});
-    return figures;
+    statistics.push_back({"memory", number(bytes()), "bytes", ""});
+    statistics.push_back({"memory predicted",
+                          number(counts.predictedBytes + staticMap_->bytes() + near_.count() * sizeof(std::uint32_t)),
+                          "bytes", ""});
+    return statistics;
 }
 
 std::vector<const gl::Texture*> TemporalShadow::textures() const {
-    if (!stillMap_ || !stillMap_->drawn()) return {};
-    std::vector<const gl::Texture*> all{&stillMap_->depth()};
+    if (!staticMap_ || !staticMap_->drawn()) return {};
+    std::vector<const gl::Texture*> all{&staticMap_->depth()};
     if (lists_)
         for (const gl::Texture* texture : lists_->textures()) all.push_back(texture);
     return all;
 }
 
 std::size_t TemporalShadow::bytes() const {
-    return (lists_ ? lists_->bytes() : 0) + (stillMap_ ? stillMap_->bytes() : 0) + near_.bytes();
+    return (lists_ ? lists_->bytes() : 0) + (staticMap_ ? staticMap_->bytes() : 0) + near_.bytes();
 }
 
-} // namespace timeshade
+}  // namespace timeshade

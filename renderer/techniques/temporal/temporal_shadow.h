@@ -4,19 +4,19 @@
 #include <optional>
 
 #include "passes/near_triangles.h"
-#include "passes/still_map.h"
-#include "techniques/technique.h"
+#include "passes/static_map.h"
+#include "technique/technique.h"
 #include "techniques/temporal/tuple_lists.h"
 
 namespace timeshade {
 
-/// Temporal shadow maps (Hong and Oh 2017). For each texel of the light's map and each moving triangle that visits it, a tuple says
-/// when the triangle is there and how far away: (begin, end, distance at begin, distance at end, triangle). A receiver is in shadow if
-/// a tuple of its texel, of another triangle than its own, holds its time and is nearer than it. No time is sampled for the map,
-/// so there is no time mismatch. What remains is the map's resolution in space. The coverage map spares tuples behind a triangle
-/// that covers the texel all the time.
-/// Still triangles go to an ordinary map. Triangles that cross the light's near plane are tested exactly by each sample.
-/// By default repaired (ExactTuples); `as_published` is the paper taken literally (PublishedTuples).
+/// Temporal shadow maps (Hong and Oh 2017). For each texel of the light's map and each moving triangle that visits it,
+/// a tuple says when the triangle is there and how far away: (begin, end, distance at begin, distance at end,
+/// triangle). A receiver is in shadow if a tuple of its texel, of another triangle than its own, holds its time and is
+/// nearer than it. No time is sampled for the map, so there is no time mismatch. What remains is the map's resolution
+/// in space. The coverage map spares tuples behind a triangle that covers the texel all the time. Still triangles go to
+/// an ordinary map. Triangles that cross the light's near plane are tested exactly by each sample. By default repaired
+/// (ExactTuples); `as_published` is the paper taken literally (PublishedTuples).
 class TemporalShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -30,7 +30,7 @@ class TemporalShadow final : public Technique {
     void lookup(const TechniqueFrame& frame) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
-    std::vector<TechniqueFigure> figures() const override;
+    std::vector<TechniqueStatistic> statistics() const override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;
 
@@ -46,10 +46,10 @@ class TemporalShadow final : public Technique {
 
     bool builtAsPublished_ = false, builtWithCoverage_ = false;
     std::unique_ptr<TupleLists> lists_;
-    std::optional<StillMap> stillMap_;
+    std::optional<StaticMap> staticMap_;
     NearTriangles near_;
-    std::size_t stillCasters_ = 0, moving_ = 0, bending_ = 0;
+    std::size_t staticCasters_ = 0, moving_ = 0, nonTranslating_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

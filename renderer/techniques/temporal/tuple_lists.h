@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
@@ -35,4 +35,4 @@ class TupleLists {
     virtual std::size_t bytes() const = 0;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

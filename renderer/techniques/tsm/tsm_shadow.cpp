@@ -20,7 +20,8 @@ void TsmShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
                    "Further bias in proportion to how steeply the surface falls away from the light.");
     visitor.toggle("dynamic_bias", dynamicBias_, false,
-                   "Compares map and receiver at both of their times: each depth is moved at its own rate to the other's time (after "
+                   "Compares map and receiver at both of their times: each depth is moved at its own rate to the "
+                   "other's time (after "
                    "Andersson et al. 2015, eq. 12). Ends the self-shadow; costs one more map of rates.");
 }
 
@@ -35,27 +36,31 @@ SamplingTraits TsmShadow::samplingTraits() const {
 
 std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {
     std::vector<PassDecision> passes;
-    passes.push_back({"build/still map", "one map of what stands still in the light's frame, kept until something of it changes", plan.light.still.count()});
-    if (!plan.light.moving.empty())
+    passes.push_back({"build/static map",
+                      "one map of what stands still in the light's frame, kept until something of it changes",
+                      plan.light.staticTriangles.count()});
+    if (!plan.light.dynamicTriangles.empty())
         passes.push_back({"build/strata",
-                          fmt::format("{} map layers, one a stratum, each texel at its own random time, of what moves in the light's frame; {} "
+                          fmt::format("{} map layers, one a stratum, each texel at its own random time, of what moves "
+                                      "in the light's frame; {} "
                                       "triangles never reach the map, the shadows of {} are never seen",
                                       plan.block.strata, plan.light.outsideTriangles, plan.light.unseenTriangles),
-                          plan.light.moving.count()});
+                          plan.light.dynamicTriangles.count()});
     passes.push_back({"lookup",
-                      plan.light.moving.empty() ? "nothing moves in the light's frame: each camera sample against the one map"
-                                                : "each camera sample against the one map and the layer of its own stratum",
+                      plan.light.dynamicTriangles.empty()
+                          ? "nothing moves in the light's frame: each camera sample against the one map"
+                          : "each camera sample against the one map and the layer of its own stratum",
                       0});
     return passes;
 }
 
 void TsmShadow::build(const TechniqueFrame& frame) {
     {
-        const auto timed = frame.timer.scope("build/still map");
-        if (!still_) still_.emplace(programs_, StillMap::Coverage::Exact);
+        const auto timed = frame.timer.scope("build/static map");
+        if (!still_) still_.emplace(programs_, StaticMap::Coverage::Exact);
         still_->draw(frame.plan, frame.mesh);
     }
-    if (frame.plan.light.moving.empty()) {
+    if (frame.plan.light.dynamicTriangles.empty()) {
         depth_.reset();
         velocity_.reset();
         rasterizer_.reset();
@@ -63,7 +68,9 @@ void TsmShadow::build(const TechniqueFrame& frame) {
     }
     const auto timed = frame.timer.scope("build/strata");
     const int size = frame.plan.request.mapSize, layers = static_cast<int>(frame.plan.block.strata);
-    const auto fits = [&](const std::optional<gl::Texture>& map) { return map && map->width() == size && map->layers() == layers; };
+    const auto fits = [&](const std::optional<gl::Texture>& map) {
+        return map && map->width() == size && map->layers() == layers;
+    };
     if (!fits(depth_)) depth_ = gl::Texture::array2D("tsm depth", GL_DEPTH_COMPONENT32F, size, size, layers);
     if (!dynamicBias_)
         velocity_.reset();
@@ -71,17 +78,18 @@ void TsmShadow::build(const TechniqueFrame& frame) {
         velocity_ = gl::Texture::array2D("tsm depth velocity", GL_R32F, size, size, layers);
     if (!rasterizer_) rasterizer_.emplace(programs_);
     using Output = StochasticRasterizer::Output;
-    rasterizer_->draw(frame.mesh, frame.plan.light, {&frame.plan.light.moving}, StochasticRasterizer::Role::Light,
-                      dynamicBias_ ? Output::DepthVelocity : Output::DepthOnly, frame.plan.block.strata,
-                      velocity_ ? &*velocity_ : nullptr, *depth_);
+    rasterizer_->draw(frame.mesh, frame.plan.light, {&frame.plan.light.dynamicTriangles},
+                      StochasticRasterizer::Role::Light, dynamicBias_ ? Output::DepthVelocity : Output::DepthOnly,
+                      frame.plan.block.strata, velocity_ ? &*velocity_ : nullptr, *depth_);
 }
 
 void TsmShadow::lookup(const TechniqueFrame& frame) {
     frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
         for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
-        if (depth_) defines.emplace_back("MOVING_CASTERS", "1");
+        if (depth_) defines.emplace_back("DYNAMIC_CASTERS", "1");
         if (dynamicBias_) defines.emplace_back("DYNAMIC_BIAS", "1");
-        const gl::Program& program = programs_.get({"tsm lookup", "passes/fullscreen.vert", "techniques/tsm/lookup.frag", defines});
+        const gl::Program& program =
+            programs_.get({"tsm lookup", "passes/fullscreen.vert", "techniques/tsm/lookup.frag", defines});
         program.use();
         glUniform1f(2, bias_);
         glUniform1f(3, slopeBias_);
@@ -101,8 +109,8 @@ std::vector<const gl::Texture*> TsmShadow::textures() const {
 }
 
 std::size_t TsmShadow::bytes() const {
-    return (depth_ ? depth_->bytes() : 0) + (velocity_ ? velocity_->bytes() : 0) + (rasterizer_ ? rasterizer_->bytes() : 0) +
-           (still_ ? still_->bytes() : 0);
+    return (depth_ ? depth_->bytes() : 0) + (velocity_ ? velocity_->bytes() : 0) +
+           (rasterizer_ ? rasterizer_->bytes() : 0) + (still_ ? still_->bytes() : 0);
 }
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -2,20 +2,21 @@
 
 #include <optional>
 
-#include "passes/still_map.h"
+#include "passes/static_map.h"
 #include "passes/stochastic_rasterizer.h"
-#include "techniques/technique.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 
 /// Time-dependent shadow maps (Akenine-Moller, Munkberg, Hasselgren 2007, as P1, P2 and P4 describe them): one map
-/// layer per stratum of the shutter, each texel of it drawn at a random time of the stratum; a camera sample is tested in the
-/// layer of its own stratum. The times differ by up to 1/N of the shutter, 1/(3N) in the mean. Without the dynamic bias a
-/// receiver that approaches the light at v per shutter shadows itself on 1/2 (1 - bias N / v)^2 of its samples. What stands still in
-/// the light's frame has the same depth at all times: it is in one map beside the layers.
-/// The dynamic bias departs from equation 12 of Andersson et al. 2015 in two ways, without which a body that turns or slides along its own
-/// slopes still shadows itself: the map holds the rate at which the depth over the texel changes, not the velocity of the point that is there;
-/// and the receiver is compared at the map's time, too, since two surfaces that do not pass through each other keep their order.
+/// layer per stratum of the shutter, each texel of it drawn at a random time of the stratum; a camera sample is tested
+/// in the layer of its own stratum. The times differ by up to 1/N of the shutter, 1/(3N) in the mean. Without the
+/// dynamic bias a receiver that approaches the light at v per shutter shadows itself on 1/2 (1 - bias N / v)^2 of its
+/// samples. What stands still in the light's frame has the same depth at all times: it is in one map beside the layers.
+/// The dynamic bias departs from equation 12 of Andersson et al. 2015 in two ways, without which a body that turns or
+/// slides along its own slopes still shadows itself: the map holds the rate at which the depth over the texel changes,
+/// not the velocity of the point that is there; and the receiver is compared at the map's time, too, since two surfaces
+/// that do not pass through each other keep their order.
 class TsmShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -36,7 +37,7 @@ class TsmShadow final : public Technique {
     bool dynamicBias_ = false;
     std::optional<StochasticRasterizer> rasterizer_;
     std::optional<gl::Texture> depth_, velocity_;
-    std::optional<StillMap> still_;
+    std::optional<StaticMap> still_;
 };
 
-} // namespace timeshade
+}  // namespace timeshade

@@ -1,5 +1,5 @@
 // Is the receiver lit, by testing every triangle that might shadow it, at its own time and place? VIEW_CANDIDATES: how many
-// were tested instead. MOVING_TRIANGLES, STILL_TRIANGLES: there are such. STILL_CASTERS_TRAVEL: some of the latter move with the light.
+// were tested instead. DYNAMIC_TRIANGLES, STATIC_TRIANGLES: there are such. STATIC_CASTERS_TRAVEL: some of the latter move with the light.
 #include "lib/lookup.glsl"
 #include "shared/candidate_bounds.shared.h"
 #include "shared/segment_triangle.shared.h"
@@ -7,16 +7,16 @@
 
 layout(binding = TECHNIQUE_UNIT) uniform usamplerBuffer movingOffsets;
 layout(binding = TECHNIQUE_UNIT + 1) uniform usamplerBuffer movingCandidates;  // triangle, where it is
-layout(binding = TECHNIQUE_UNIT + 2) uniform usamplerBuffer stillOffsets;
-layout(binding = TECHNIQUE_UNIT + 3) uniform usamplerBuffer stillCandidates;
+layout(binding = TECHNIQUE_UNIT + 2) uniform usamplerBuffer staticOffsets;
+layout(binding = TECHNIQUE_UNIT + 3) uniform usamplerBuffer staticCandidates;
 layout(location = 1) uniform uint movingSide;
 layout(location = 2) uniform uint buckets;
-layout(location = 3) uniform uint stillSide;
+layout(location = 3) uniform uint staticSide;
 
-#ifdef STILL_CASTERS_TRAVEL
-const bool stillCastersTravel = true;
+#ifdef STATIC_CASTERS_TRAVEL
+const bool staticCastersTravel = true;
 #else
-const bool stillCastersTravel = false;
+const bool staticCastersTravel = false;
 #endif
 
 bool shadows(uint candidate, bool mayMove, Receiver r, vec3 toLight) {
@@ -86,12 +86,12 @@ float litOf(MovingTriangle t, Receiver r) {
 #endif
     bool shadowed = false;
     // First what moves, in the receiver's own bucket of time; then what stands still.
-#if defined(MOVING_TRIANGLES) && !defined(STILL_CASTERS_ALONE)
+#if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
     uint bucket = min(uint(r.time * float(buckets)), buckets - 1u);
     shadowed = shadowedByList(movingOffsets, movingCandidates, movingSide, bucket, true, r, m, toLight);
 #endif
-#ifdef STILL_TRIANGLES
-    if (!shadowed) shadowed = shadowedByList(stillOffsets, stillCandidates, stillSide, 0u, stillCastersTravel, r, m, toLight);
+#ifdef STATIC_TRIANGLES
+    if (!shadowed) shadowed = shadowedByList(staticOffsets, staticCandidates, staticSide, 0u, staticCastersTravel, r, m, toLight);
 #endif
     return shadowed ? 0.0 : 1.0;
 }

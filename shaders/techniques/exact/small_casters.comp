@@ -7,14 +7,14 @@ layout(std430, binding = TECHNIQUE_STORAGE_BINDING + 1) buffer Queue {
     uint queued;
     uint queue[];
 };
-layout(location = 5) uniform uint largestWalk;  // cells
+layout(location = 5) uniform uint maxWalk;  // cells
 
 void main() {
     uint item = gl_GlobalInvocationID.x;
     if (item >= items) return;
     Footprint f = footprintOf(item);
     ivec2 extent = max(f.high - f.low, ivec2(0));
-    bool alone = uint(extent.x * extent.y) <= largestWalk;
+    bool alone = uint(extent.x * extent.y) <= maxWalk;
 #ifndef FILL
     if (!alone) queue[atomicAdd(queued, 1u)] = item;
 #endif

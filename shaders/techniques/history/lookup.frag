@@ -10,14 +10,14 @@ layout(early_fragment_tests) in;  // or pixels that rest would be drawn
 layout(binding = PAST_UNIT) uniform sampler2D past;
 #ifdef MOVED
 layout(binding = PREVIOUS_POSITIONS_UNIT) uniform samplerBuffer previousPositions;
-layout(binding = MOVER_MASK_UNIT) uniform sampler2DArray moverMask;
-layout(binding = MOVER_FLAGS_UNIT) uniform usamplerBuffer moverFlags;
+layout(binding = DYNAMIC_MASK_UNIT) uniform sampler2DArray dynamicMask;
+layout(binding = DYNAMIC_FLAGS_UNIT) uniform usamplerBuffer dynamicFlags;
 #endif
 layout(r32f, binding = 0) uniform image2DArray visibility;
 
 layout(location = 0) out vec4 outputHistory;
 #ifdef TRIES_TRIANGLES
-layout(location = 1) out uint outputRest;
+layout(location = 1) out uint outputPeriod;
 #endif
 
 struct Seen {
@@ -40,12 +40,12 @@ mat3 previousRays(float u) { return mat3(history.previousRaysOpen) * (1.0 - u) +
 
 // Did anything move between the light and this point, in this frame's shutter, the last one's or between them? A point that moves
 // itself is taken where the map sees it.
-bool touchedByMover(ShadowTest test) {
-    ivec2 texel = clamp(ivec2(floor(test.place * history.moverMaskSize)), ivec2(0), ivec2(history.moverMaskSize) - 1);
-    return test.depth >= 0.9999 * mapDistance(texelFetch(moverMask, ivec3(texel, 0), 0).x);
+bool overlappedByDynamicCaster(ShadowTest test) {
+    ivec2 texel = clamp(ivec2(floor(test.place * history.dynamicMaskSize)), ivec2(0), ivec2(history.dynamicMaskSize) - 1);
+    return test.depth >= 0.9999 * mapDistance(texelFetch(dynamicMask, ivec3(texel, 0), 0).x);
 }
 
-bool moves(uint id) { return history.moverMaskSize > 0.0 && texelFetch(moverFlags, int(id)).x != 0u; }
+bool moves(uint id) { return history.dynamicMaskSize > 0.0 && texelFetch(dynamicFlags, int(id)).x != 0u; }
 
 // Equation 4, with the surface's own motion: where the surface point was one frame ago, and what was known of it. As
 // published only the camera is followed, and the distance is compared; else every one of the four texels must have seen
@@ -73,7 +73,7 @@ vec4 reprojected(Seen seen, uvec2 pixel, out bool receiverMoves) {
     normal *= inversesqrt(max(dot(normal, normal), 1e-30));
     vec4 sum = vec4(0.0);
     float weights = 0.0, oldest = 1e7;
-    uint sure = HISTORY_LARGEST_SURE;
+    uint sure = HISTORY_MAX_SURE;
     for (int i = 0; i < 4; ++i) {
         ivec2 texel = corner + ivec2(i & 1, i >> 1);
         float weight = ((i & 1) == 0 ? 1.0 - part.x : part.x) * ((i >> 1) == 0 ? 1.0 - part.y : part.y);
@@ -108,14 +108,14 @@ float distanceOf(Receiver r, vec2 position) {
 
 #ifdef TRIES_TRIANGLES
 // For how long a pixel rests, after `tests` with a camera at rest of which the last `sure` were sure of every sample, and where it has to be woken.
-uint restOf(float tests, uint sure, bool nothingToLearn, vec2 low, vec2 high) {
-    uint period = history.keepsProof == 0u && tests >= REST_DOUBT_AFTER ? REST_PERIOD_DOUBT : 0u;
-    if (sure >= REST_SURE_AFTER) period = REST_PERIOD_SURE;
-    if (nothingToLearn) period = REST_NEVER_ASKED;
-    if (history.mayRest == 0u) period = 0u;
-    uvec2 first = uvec2(clamp(low * float(REST_SIDE), vec2(0.0), vec2(REST_SIDE - 1)));
-    uvec2 last = uvec2(clamp(high * float(REST_SIDE), vec2(0.0), vec2(REST_SIDE - 1)));
-    return first.x | (first.y << REST_CELL_BITS) | (last.x << (2 * REST_CELL_BITS)) | (last.y << (3 * REST_CELL_BITS)) | (period << REST_PERIOD_SHIFT);
+uint retestPeriodOf(float tests, uint sure, bool isProven, vec2 low, vec2 high) {
+    uint period = history.keepsProof == 0u && tests >= RETEST_DOUBT_AFTER ? RETEST_PERIOD_DOUBT : 0u;
+    if (sure >= RETEST_SURE_AFTER) period = RETEST_PERIOD_SURE;
+    if (isProven) period = RETEST_NEVER;
+    if (history.mayConverge == 0u) period = 0u;
+    uvec2 first = uvec2(clamp(low * float(RETEST_SIDE), vec2(0.0), vec2(RETEST_SIDE - 1)));
+    uvec2 last = uvec2(clamp(high * float(RETEST_SIDE), vec2(0.0), vec2(RETEST_SIDE - 1)));
+    return first.x | (first.y << RETEST_CELL_BITS) | (last.x << (2 * RETEST_CELL_BITS)) | (last.y << (3 * RETEST_CELL_BITS)) | (period << RETEST_PERIOD_SHIFT);
 }
 #endif
 
@@ -124,7 +124,7 @@ void main() {
     outputHistory = vec4(0.0);
     Seen seen;
     seen.any = false;
-    bool touched = false, anyMoves = false, sure = true;
+    bool dynamicPixels = false, anyMoves = false, sure = true;
     vec2 low = vec2(1.0), high = vec2(0.0);  // nowhere: the last cell before the first
     float tested = 0.0, litSum = 0.0, weightSum = 0.0, weightedLit = 0.0;
     uint facing = 0u;
@@ -148,9 +148,9 @@ void main() {
         }
         ShadowTest test = testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant);
 #ifdef MOVED
-        bool touchedHere = history.moverMaskSize > 0.0 && touchedByMover(test);
-        if ((touchedHere || receiverMoves) && test.guessedDark) test.lit = 0.0;
-        touched = touched || touchedHere;
+        bool overlappedHere = history.dynamicMaskSize > 0.0 && overlappedByDynamicCaster(test);
+        if ((overlappedHere || receiverMoves) && test.guessedDark) test.lit = 0.0;
+        dynamicPixels = dynamicPixels || overlappedHere;
 #endif
         float weight = max(confidenceWeight(test.confidence, history.exponent), 1e-12);
         // Where proof can't stay it must not outweigh the other answers.
@@ -174,7 +174,7 @@ void main() {
         }
     }
 #ifdef TRIES_TRIANGLES
-    outputRest = restOf(0.0, 0u, !anyMoves, low, high);
+    outputPeriod = retestPeriodOf(0.0, 0u, !anyMoves, low, high);
 #endif
     if (!seen.any) return;
     float lit = litSum / tested, weight = weightSum / tested;
@@ -188,7 +188,7 @@ void main() {
             // Its way through the light is unknown: the past may stay as long as the test agrees with it.
             if (!(abs(before.x - lit * before.y) <= 0.02 * before.y)) before = vec4(0.0);
             before.xy *= min(1.0, 2.0 / max(before.y, 1e-12));
-        } else if (touched && history.asPublished == 0u) {
+        } else if (dynamicPixels && history.asPublished == 0u) {
             before = vec4(0.0);
         }
 #else
@@ -206,7 +206,7 @@ void main() {
     } else {
         before.xy *= min(1.0, history.memory / max(before.y, 1e-12));
         vec2 sum = before.xy + history.weightScale * vec2(weightedLit, weightSum) / tested;
-        sum *= min(1.0, HISTORY_LARGEST_WEIGHT / sum.y);
+        sum *= min(1.0, HISTORY_MAX_WEIGHT / sum.y);
         outputHistory.xy = vec2(clamp(sum.x, 0.0, sum.y), sum.y);
         if (proven) outputHistory.xy = vec2(0.0, HISTORY_PROVEN_WEIGHT);
         shown = clamp(0.5 + (outputHistory.x / outputHistory.y - 0.5) * history.sharpness, 0.0, 1.0);
@@ -215,11 +215,11 @@ void main() {
     outputHistory.z = distanceOf(seen.receiver, position);
     float age = hasPast ? ageOf(before) + 1.0 : 1.0;
     // Beside what moves, and while the camera does, a pixel can't know.
-    bool disturbed = anyMoves || touched || history.mayRest == 0u;
-    uint sureTests = sure && !disturbed ? min(hasPast ? sureOf(before) + 1u : 1u, HISTORY_LARGEST_SURE) : 0u;
+    bool disturbed = anyMoves || dynamicPixels || history.mayConverge == 0u;
+    uint sureTests = sure && !disturbed ? min(hasPast ? sureOf(before) + 1u : 1u, HISTORY_MAX_SURE) : 0u;
     outputHistory.w = packedAge(age, sureTests, seen.stratum);
 #ifdef TRIES_TRIANGLES
-    outputRest = restOf(disturbed ? 0.0 : min(age, float(history.round)), sureTests, proven && !disturbed, low, high);
+    outputPeriod = retestPeriodOf(disturbed ? 0.0 : min(age, float(history.round)), sureTests, proven && !disturbed, low, high);
 #endif
 
     if (shown == lit) return;

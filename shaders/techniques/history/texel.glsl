@@ -9,8 +9,8 @@ bool plausible(vec4 h) {
 }
 
 float ageOf(vec4 h) { return floor(h.w / float(1 << (HISTORY_STRATUM_BITS + HISTORY_SURE_BITS))); }
-uint sureOf(vec4 h) { return (uint(h.w) >> HISTORY_STRATUM_BITS) & HISTORY_LARGEST_SURE; }
+uint sureOf(vec4 h) { return (uint(h.w) >> HISTORY_STRATUM_BITS) & HISTORY_MAX_SURE; }
 uint stratumOf(vec4 h) { return uint(h.w) & uint((1 << HISTORY_STRATUM_BITS) - 1); }
 float packedAge(float age, uint sure, uint stratum) {
-    return (min(age, HISTORY_LARGEST_AGE) * float(1 << HISTORY_SURE_BITS) + float(sure)) * float(1 << HISTORY_STRATUM_BITS) + float(stratum);
+    return (min(age, HISTORY_MAX_AGE) * float(1 << HISTORY_SURE_BITS) + float(sure)) * float(1 << HISTORY_STRATUM_BITS) + float(stratum);
 }

@@ -10,7 +10,7 @@
 #define RANGES_SLOPES_BINDING (TECHNIQUE_STORAGE_BINDING + 3)
 #define RANGES_COUNTS_BINDING (TECHNIQUE_STORAGE_BINDING + 4)
 
-#define RANGES_STILL_UNIT TECHNIQUE_UNIT  // where the prisms' triangle numbers are while they are drawn
+#define RANGES_STATIC_UNIT TECHNIQUE_UNIT  // where the prisms' triangle numbers are while they are drawn
 #define RANGES_OFFSETS_UNIT (TECHNIQUE_UNIT + 1)
 #define RANGES_TIMES_UNIT (TECHNIQUE_UNIT + 2)
 #define RANGES_DISTANCES_UNIT (TECHNIQUE_UNIT + 3)

@@ -10,7 +10,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = LIST_OFFSETS_BINDING) readonly buffer ListOffsets { uint listOffsets[]; };
 layout(std430, binding = RANGES_COUNTS_BINDING) buffer RangeCounts {
-    uint oddLists;      // texels with a triangle that left an odd number of fragments there
+    uint unpairedLists;      // texels with a triangle that left an odd number of fragments there
     uint longestList;   // fragments
     uint sparePlaces;   // of lists whose number of fragments is odd
     uint emptyRanges;
@@ -72,7 +72,7 @@ void putRange(uint place, uint id, vec2 times, vec2 distances, uvec4 slopes) {
     }
 }
 
-void pairOddList(uint first, uint last, uint room) {
+void pairUnpairedList(uint first, uint last, uint room) {
     uint to = first, loneId = 0u;
     bool lone = false;
     vec2 loneTimes = vec2(0.0), loneDistance = vec2(0.0);
@@ -120,7 +120,7 @@ void main() {
         inspect(first, last, sorted, even);
     }
     if (even) return;  // the list of fragments is the list of ranges
-    atomicAdd(oddLists, 1u);
+    atomicAdd(unpairedLists, 1u);
     if (((last - first) & 1u) != 0u) atomicAdd(sparePlaces, 1u);
-    pairOddList(first, last, listOffsets[texel + 1u]);
+    pairUnpairedList(first, last, listOffsets[texel + 1u]);
 }

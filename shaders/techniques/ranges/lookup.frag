@@ -1,12 +1,12 @@
 // Depth-time ranges: is a moving triangle between the receiver and the light at the receiver's own time? Of each range of
 // the texel that holds that time, the distance then is interpolated between the range's ends (Hong and Oh 2019, section 3.3).
 // Still triangles are tested once, in an ordinary map; those that cross the light's near plane one by one, exactly.
-// AS_PUBLISHED: the published form's lists. STILL_TRIANGLES, MOVING_TRIANGLES, NEAR_TRIANGLES: there are such.
+// AS_PUBLISHED: the published form's lists. STATIC_TRIANGLES, DYNAMIC_TRIANGLES, NEAR_TRIANGLES: there are such.
 #include "lib/lookup.glsl"
 #include "techniques/ranges/lists.glsl"
 
-#ifdef STILL_TRIANGLES
-layout(binding = RANGES_STILL_UNIT) uniform sampler2DArray stillMap;
+#ifdef STATIC_TRIANGLES
+layout(binding = RANGES_STATIC_UNIT) uniform sampler2DArray staticMap;
 #endif
 #ifdef NEAR_TRIANGLES
 #include "lib/near_triangles.glsl"
@@ -20,14 +20,14 @@ float litOf(MovingTriangle t, Receiver r) {
     ivec2 texel;
     if (texelOf(m, texel)) {
         float depth = m.depth - depthBias(m, bias, slopeBias);
-#ifdef STILL_TRIANGLES
-        if (depth > mapDistance(texelFetch(stillMap, ivec3(texel, 0), 0).x)) return 0.0;
+#ifdef STATIC_TRIANGLES
+        if (depth > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return 0.0;
 #endif
-#if defined(MOVING_TRIANGLES) && !defined(STILL_CASTERS_ALONE)
+#if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
         if (nearerThan(m, depth, texel, r.triangle, r.time)) return 0.0;
 #endif
     }
-#if defined(NEAR_TRIANGLES) && !defined(STILL_CASTERS_ALONE)
+#if defined(NEAR_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
     if (shadowedByNearTriangles(r, nearCount)) return 0.0;
 #endif
     return 1.0;

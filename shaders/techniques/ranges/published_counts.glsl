@@ -1,6 +1,6 @@
 layout(std430, binding = LINKED_COUNTS_BINDING) buffer LinkedCounts {
     uint fragmentCount;
     uint rangeCount;
-    uint oddLists;     // texels with a triangle that left an odd number of fragments there
+    uint unpairedLists;     // texels with a triangle that left an odd number of fragments there
     uint longestList;  // fragments
 };

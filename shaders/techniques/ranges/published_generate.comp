@@ -23,9 +23,9 @@ bool before(Visit a, Visit b) {
     return a.time < b.time;
 }
 
-const Visit NO_VISIT = Visit(-1.0, 2.0);  // farther than any
+const Visit NO_INTERVAL = Visit(-1.0, 2.0);  // farther than any
 
-Visit visitAt(uint place) {
+Visit intervalAt(uint place) {
     return Visit(uintBitsToFloat(fragments[4u * place]), uintBitsToFloat(fragments[4u * place + 1u]));
 }
 
@@ -63,11 +63,11 @@ void main() {
         uint id = fragments[4u * place + 2u];
         ++length;
         if (id != NO_TRIANGLE) {  // else taken already
-            Visit first = visitAt(place), second = NO_VISIT, third = NO_VISIT, fourth = NO_VISIT;
+            Visit first = intervalAt(place), second = NO_INTERVAL, third = NO_INTERVAL, fourth = NO_INTERVAL;
             uint count = 1u, other = fragments[4u * place + 3u];
             while (other != NO_ENTRY) {
                 if (fragments[4u * other + 2u] == id) {
-                    Visit visit = visitAt(other);
+                    Visit visit = intervalAt(other);
                     insert(first, visit);
                     insert(second, visit);
                     insert(third, visit);
@@ -85,5 +85,5 @@ void main() {
     }
     rangeHeads[texel] = head;
     if (length > 0u) atomicMax(longestList, length);
-    if (odd) atomicAdd(oddLists, 1u);
+    if (odd) atomicAdd(unpairedLists, 1u);
 }

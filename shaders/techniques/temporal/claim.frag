@@ -21,7 +21,7 @@ void main() {
     if (!coversThroughout(e)) discard;
     float farthest = max(max(max(open0.z, open1.z), max(open2.z, close0.z)), max(close1.z, close2.z));
     // A triangle that does not turn has its extremes at the ends of the shutter and at the texel's corners.
-    if (bends == 0u)
+    if (nonTranslating == 0u)
         farthest = min(farthest, max(farthestCorner(open0, open1, open2, centre, farthest), farthestCorner(close0, close1, close2, centre, farthest)));
     farthest *= 1.0 + 1e-4;  // far above rounding
 #ifdef LIGHT_ORTHOGRAPHIC

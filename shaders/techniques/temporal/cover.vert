@@ -21,7 +21,7 @@ flat out vec3 close0;
 flat out vec3 close1;
 flat out vec3 close2;
 flat out uint triangleId;
-flat out uint bends;  // 1: the vertices do not all move alike, by more than rounding
+flat out uint nonTranslating;  // 1: the vertices do not all move alike, by more than rounding
 
 // Rounding of the projection and of the rasteriser's grid, in texels.
 const float SLACK = 1.0 / 32.0;
@@ -55,7 +55,7 @@ void main() {
     vec3 motion0 = close0 - open0, turn1 = abs(close1 - open1 - motion0), turn2 = abs(close2 - open2 - motion0);
     vec3 reach = max(max(max(abs(open0), abs(open1)), max(abs(open2), abs(close0))), max(abs(close1), abs(close2)));
     vec3 turned = max(turn1, turn2);
-    bends = max(max(turned.x, turned.y), turned.z) > 1e-5 * max(max(reach.x, reach.y), reach.z) ? 1u : 0u;
+    nonTranslating = max(max(turned.x, turned.y), turned.z) > 1e-5 * max(max(reach.x, reach.y), reach.z) ? 1u : 0u;
 
 #ifdef LIGHT_ORTHOGRAPHIC
     SweptBounds bounds = sweptBoundsOrthographic(open0, open1, open2, close0, close1, close2);

@@ -1,7 +1,7 @@
 // Temporal shadow maps: is a moving triangle between the receiver and the light at the receiver's own time? Of each tuple of the
 // texel that holds that time, the distance then is interpolated between the tuple's ends (Hong and Oh 2017, "Lighting pass").
 // Still triangles are tested once, in an ordinary map; those that cross the light's near plane one by one, exactly.
-// AS_PUBLISHED: the published form's lists. COVERAGE_MAP: with its coverage map. MOVING_TRIANGLES, NEAR_TRIANGLES: there are such.
+// AS_PUBLISHED: the published form's lists. COVERAGE_MAP: with its coverage map. DYNAMIC_TRIANGLES, NEAR_TRIANGLES: there are such.
 #include "lib/lookup.glsl"
 #include "techniques/temporal/lists.glsl"
 #ifdef NEAR_TRIANGLES
@@ -9,7 +9,7 @@
 layout(location = 4) uniform int nearCount;
 #endif
 
-layout(binding = TUPLE_STILL_UNIT) uniform sampler2DArray stillMap;
+layout(binding = TUPLE_STATIC_UNIT) uniform sampler2DArray staticMap;
 layout(location = 2) uniform float bias;
 layout(location = 3) uniform float slopeBias;
 
@@ -18,12 +18,12 @@ float litOf(MovingTriangle t, Receiver r) {
     ivec2 texel;
     if (texelOf(m, texel)) {
         float depth = m.depth - depthBias(m, bias, slopeBias);
-        if (depth > mapDistance(texelFetch(stillMap, ivec3(texel, 0), 0).x)) return 0.0;
-#if defined(MOVING_TRIANGLES) && !defined(STILL_CASTERS_ALONE)
+        if (depth > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return 0.0;
+#if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
         if (nearerThan(depth, texel, r.triangle, r.time)) return 0.0;
 #endif
     }
-#if defined(NEAR_TRIANGLES) && !defined(STILL_CASTERS_ALONE)
+#if defined(NEAR_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
     if (shadowedByNearTriangles(r, nearCount)) return 0.0;
 #endif
     return 1.0;

@@ -1,6 +1,6 @@
 // The moving triangle of a cover, and how the centre of this texel sees it.
 #include "lib/blocks.glsl"
-#include "shared/visits.shared.h"
+#include "shared/coverage_intervals.shared.h"
 
 flat in vec3 open0;
 flat in vec3 open1;
@@ -9,7 +9,7 @@ flat in vec3 close0;
 flat in vec3 close1;
 flat in vec3 close2;
 flat in uint triangleId;
-flat in uint bends;
+flat in uint nonTranslating;
 
 vec2 texelCentre() { return gl_FragCoord.xy / lightView.size; }
 

@@ -3,11 +3,11 @@
 // light's frame is in a map of its own.
 // DYNAMIC_BIAS: the two are compared at both times. The map's depth is moved to the receiver's time (Andersson 2015, equation 12, with the rate
 // at which the texel's depth changes in the place of the material point's velocity), and the receiver's to the map's.
-// MOVING_CASTERS: there are such.
+// DYNAMIC_CASTERS: there are such.
 #include "lib/lookup.glsl"
 
 layout(binding = TECHNIQUE_UNIT) uniform sampler2DArray depthMap;
-layout(binding = TECHNIQUE_UNIT + 2) uniform sampler2DArray stillMap;
+layout(binding = TECHNIQUE_UNIT + 2) uniform sampler2DArray staticMap;
 #ifdef DYNAMIC_BIAS
 layout(binding = TECHNIQUE_UNIT + 1) uniform sampler2DArray velocityMap;
 #endif
@@ -25,8 +25,8 @@ float litOf(MovingTriangle t, Receiver r) {
     float later = r.time - sampleTime(frame.timeBase, frame.timeScale, stratum, samplePattern(uvec2(texel), stratum, frame.seed, SALT_LIGHT).z);
     atCastersTime -= mapDepthRate(m, t, r.time) * later;
 #endif
-    bool shadowed = min(limit, atCastersTime) > mapDistance(texelFetch(stillMap, ivec3(texel, 0), 0).x);
-#if defined(MOVING_CASTERS) && !defined(STILL_CASTERS_ALONE)
+    bool shadowed = min(limit, atCastersTime) > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x);
+#if defined(DYNAMIC_CASTERS) && !defined(STATIC_CASTERS_ONLY)
     float casterDepth = mapDistance(texelFetch(depthMap, ivec3(texel, stratum), 0).x), atReceiversTime = casterDepth;
 #ifdef DYNAMIC_BIAS
     atReceiversTime += texelFetch(velocityMap, ivec3(texel, stratum), 0).x * later;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "plan/frame_plan.h"
+
+namespace timeshade {
+
+/// Embree at its best on a frame's camera samples, as the peer to measure against: linear motion blur, packets of eight
+/// neighbours in one stratum, all threads, no callbacks, floats throughout. Nothing is ruled upon and nothing is handed
+/// over: this is the bare loop. The truth comes from Oracle.
+class EmbreeBaseline {
+  public:
+    /// Builds the acceleration structure.
+    explicit EmbreeBaseline(const FramePlan& plan);
+    ~EmbreeBaseline();
+    EmbreeBaseline(const EmbreeBaseline&) = delete;
+    EmbreeBaseline& operator=(const EmbreeBaseline&) = delete;
+
+    /// Makes the rays of all camera samples without tracing them: what that costs alone.
+    void makeRays();
+    /// Traces what every camera sample sees: [stratum][row from the bottom][column].
+    const std::vector<std::uint32_t>& tracePrimaries();
+    /// Traces a shadow ray from every point that tracePrimaries has hit to the light at its time. Returns how many are
+    /// in shadow.
+    std::size_t traceShadows();
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace timeshade

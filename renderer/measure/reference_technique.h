@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+#include "oracle/oracle.h"
+#include "technique/technique.h"
+
+namespace timeshade {
+
+/// The oracle in a technique's clothes: reads the samples back, has Embree answer them and uploads the truth, so that
+/// the one frame function shades it. What references are made of, and the peer row of every measurement. Not in the
+/// registry: it is no real-time technique.
+class ReferenceTechnique final : public Technique {
+  public:
+    const TechniqueDescription& description() const override;
+    void visitSettings(SettingsVisitor&) override {}
+    std::vector<PassDecision> passes(const FramePlan& plan) const override;
+    /// Builds Embree's scene unless the mesh is the one of before.
+    void build(const TechniqueFrame& frame) override;
+    void lookup(const TechniqueFrame& frame) override;
+    std::vector<const gl::Texture*> textures() const override { return {}; }
+    std::size_t bytes() const override { return 0; }
+
+  private:
+    std::unique_ptr<Oracle> oracle_;
+    std::shared_ptr<const MeshTexels> builtFor_;
+};
+
+}  // namespace timeshade

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace timeshade {
+
+/// Finds the effort (samples per pixel, or renders) whose measured value comes nearest to a target, in few
+/// measurements: doubling until the target is passed, then bisection. Knows nothing of what is measured.
+class SampleCountSearch {
+  public:
+    /// What more effort does to the value: time rises, error falls.
+    enum class Value { Rises, Falls };
+
+    /// `efforts` in ascending order, not empty; the target is above 0.
+    SampleCountSearch(std::vector<int> sampleCounts, double target, Value value);
+
+    /// The effort to be measured next; nothing when the search has ended.
+    std::optional<int> next() const;
+    /// The value of next().
+    void answer(double value);
+
+    enum class Outcome {
+        Searching,
+        Found,          ///< see effort()
+        LeastTooMuch,   ///< even the least effort lies beyond the target
+        MostTooLittle,  ///< even the most effort does not get there
+    };
+    Outcome outcome() const { return outcome_; }
+    /// The effort that came nearest and its value; whatever the outcome, once the search has ended.
+    int sampleCount() const { return sampleCounts_[nearest_]; }
+    double value() const { return value_; }
+
+  private:
+    void end(bool reached);
+
+    std::vector<int> sampleCounts_;
+    double target_;
+    Value direction_;
+    std::size_t at_ = 0;   ///< being measured
+    std::size_t low_ = 0;  ///< the largest that stays short of the target; meaningless before there is one
+    bool hasLow_ = false;
+    std::size_t high_;  ///< the smallest that passes it, sampleCounts_.size() while none does
+    std::size_t nearest_ = 0;
+    double value_ = 0.0, distance_;
+    Outcome outcome_ = Outcome::Searching;
+};
+
+}  // namespace timeshade

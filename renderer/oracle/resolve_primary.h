@@ -1,0 +1,12 @@
+#pragma once
+
+#include "oracle/camera_rays.h"
+
+namespace timeshade::oracle {
+
+/// The first triangle along the camera ray beyond the near distance, one-sided ones only from their front. Of two at
+/// exactly one depth, the one with the lower number.
+Oracle::ResolvedPrimary resolveFirstSeen(const SweptBvh& bvh, const MovingTriangles& triangles, const CameraRay& ray,
+                                         double nearDistance);
+
+}  // namespace timeshade::oracle

@@ -1,0 +1,27 @@
+#include "oracle/resolve_shadow.h"
+
+namespace timeshade::oracle {
+
+ResolvedShadow resolveShadow(const SweptBvh& bvh, const MovingTriangles& triangles, const glm::dvec3& position,
+                             const glm::dvec3& light, std::uint32_t receiver, double u) {
+    const glm::dvec3 direction = light - position;
+    const double length = glm::length(direction);
+    const Segment segment{position, light, nearestCaster, 1.0, length};
+    // Twice as far as a marginal triangle can be, plus what the boxes' own rounding may take away.
+    const double pad = 2.0 * marginalShare * (glm::length(position) + length);
+    ResolvedShadow resolved;
+    bvh.forEachNear(position, direction, u, pad, 1.0, [&](std::uint32_t id, double&) {
+        if (id == receiver) return true;
+        glm::dvec3 vertices[3];
+        triangles.at(id, u, vertices);
+        const Meeting meeting = meet(segment, vertices);
+        resolved.lit = resolved.lit && !meeting.hit;
+        resolved.marginal = resolved.marginal || meeting.marginal;
+        const bool certain = meeting.hit && !meeting.marginal;
+        if (certain) resolved.marginal = false;
+        return !certain;
+    });
+    return resolved;
+}
+
+}  // namespace timeshade::oracle
