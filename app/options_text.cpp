@@ -46,14 +46,6 @@ nlohmann::ordered_json valueOf(const std::string& text) {
 
 }  // namespace
 
-std::string textOf(const Setting& setting) {
-    if (setting.isSwitch()) return setting.get() != 0.0 ? "on" : "off";
-    if (setting.isWhole()) return fmt::format("{:.0f}", setting.get());
-    const float value = static_cast<float>(setting.get());
-    std::string text = fmt::format("{}", value);
-    return static_cast<float>(std::strtod(text.c_str(), nullptr)) == value ? text : fmt::format("{}", setting.get());
-}
-
 bool isChanged(const Setting& setting) {
     return setting.get() !=
            (setting.isWhole() ? setting.defaultValue : static_cast<double>(static_cast<float>(setting.defaultValue)));

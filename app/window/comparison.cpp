@@ -1,3 +1,4 @@
+#include "core/setting.h"
 #include "window/comparison.h"
 
 #include <algorithm>

@@ -27,7 +27,7 @@ class Comparison {
 
     /// As ProgramCache::reload, for the second's passes.
     std::vector<std::string> reloadShaders() {
-        return renderer_ ? renderer_->programs().reload() : std::vector<std::string>{};
+        return renderer_ ? renderer_->reloadShaders() : std::vector<std::string>{};
     }
 
     /// Draws the second picture, then, when nothing moves, finds the errors, a step at a time. True if the window has

@@ -13,8 +13,8 @@ const gl::Texture* PagePictures::of(const std::string& technique) {
     std::optional<gl::Texture>& picture = entry->second;
     if (isNew) {
         try {
-            upload(picture, readPng(std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "assets" / "pages" /
-                                    (technique + ".png")));
+            upload(picture, readPng(std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "renderer" / "techniques" /
+                                    technique / "page.png"));
             picture->setFilters(GL_LINEAR, GL_LINEAR);
         } catch (const std::exception&) {
             picture.reset();  // the page says the same in words

@@ -1,3 +1,4 @@
+#include "core/setting.h"
 #include "window/session.h"
 
 #include <algorithm>
@@ -126,7 +127,7 @@ void Session::openClip(const std::string& name) {
 }
 
 void Session::reloadShaders() {
-    shaderLog = renderer.programs().reload();
+    shaderLog = renderer.reloadShaders();
     for (const std::string& complaint : comparison.reloadShaders())
         if (std::find(shaderLog.begin(), shaderLog.end(), complaint) == shaderLog.end()) shaderLog.push_back(complaint);
     ++shaderNumber;

@@ -1,3 +1,4 @@
+#include "core/setting.h"
 #include "window/settings_io.h"
 
 #include <algorithm>

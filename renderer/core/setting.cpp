@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include <fmt/format.h>
@@ -32,6 +33,24 @@ std::optional<double> parseSwitch(const std::string& text) {
     return std::nullopt;
 }
 
+/// The value that the text means, where it is one that the setting may have.
+std::optional<double> valueOf(const Setting& setting, const std::string& text) {
+    if (setting.isSwitch()) return parseSwitch(text);
+    const auto choice = std::find(setting.choices.begin(), setting.choices.end(), text);
+    if (choice != setting.choices.end()) return static_cast<double>(choice - setting.choices.begin());
+    const std::optional<double> number = parseNumber(text);
+    const bool whole = number && (!setting.isWhole() || *number == std::floor(*number));
+    if (!whole || *number < setting.minimum || *number > setting.maximum) return std::nullopt;
+    return number;
+}
+
+std::string expectedBy(const Setting& setting) {
+    if (setting.isSwitch()) return "on or off";
+    if (setting.isChoice()) return fmt::format("one of {}", fmt::join(setting.choices, ", "));
+    return fmt::format("a {} from {:g} to {:g} ({})", setting.isWhole() ? "whole number" : "number", setting.minimum,
+                       setting.maximum, setting.unit);
+}
+
 }  // namespace
 
 double Setting::get() const {
@@ -50,6 +69,20 @@ std::vector<Setting> settingsOf(HasSettings& owner) {
     return std::move(collector.settings);
 }
 
+void resetSettings(HasSettings& owner) {
+    for (Setting& setting : settingsOf(owner)) setting.set(setting.defaultValue);
+}
+
+std::string textOf(const Setting& setting) {
+    const double value = setting.get();
+    if (setting.isSwitch()) return value != 0.0 ? "on" : "off";
+    if (setting.isChoice()) return setting.choices[static_cast<std::size_t>(value)];
+    if (setting.isWhole()) return fmt::format("{:.0f}", value);
+    const auto number = static_cast<float>(value);
+    std::string text = fmt::format("{}", number);
+    return static_cast<float>(std::strtod(text.c_str(), nullptr)) == number ? text : fmt::format("{}", value);
+}
+
 void setFromText(HasSettings& owner, const std::string& key, const std::string& text) {
     std::vector<Setting> settings = settingsOf(owner);
     const std::string name = owner.settingsPrefix();
@@ -60,19 +93,9 @@ void setFromText(HasSettings& owner, const std::string& key, const std::string& 
         throw UsageError(fmt::format("--set {}.{}: no such setting; expected {}", name, key,
                                      known.empty() ? "none: it has no settings" : "one of " + known));
     }
-    if (setting->isSwitch()) {
-        const std::optional<double> state = parseSwitch(text);
-        if (!state) throw UsageError(fmt::format("--set {}.{}={}: expected on or off", name, key, text));
-        setting->set(*state);
-        return;
-    }
-    const std::optional<double> number = parseNumber(text);
-    const bool whole = number && (!setting->isWhole() || *number == std::floor(*number));
-    if (!whole || *number < setting->minimum || *number > setting->maximum)
-        throw UsageError(fmt::format("--set {}.{}={}: expected a {} from {:g} to {:g} ({})", name, key, text,
-                                     setting->isWhole() ? "whole number" : "number", setting->minimum, setting->maximum,
-                                     setting->unit));
-    setting->set(*number);
+    const std::optional<double> value = valueOf(*setting, text);
+    if (!value) throw UsageError(fmt::format("--set {}.{}={}: expected {}", name, key, text, expectedBy(*setting)));
+    setting->set(*value);
 }
 
 }  // namespace timeshade

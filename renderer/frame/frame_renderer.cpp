@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/hash.h"
 #include "frame/buffer_check.h"
 #include "technique/technique_views.h"
 
@@ -37,29 +37,17 @@ std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type)
     return values;
 }
 
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
-    hash = (hash ^ value) * 0x9e3779b97f4a7c15ull;
-    return hash ^ (hash >> 29);
-}
-
-/// Another number for another technique and for every other value of its settings.
-std::uint64_t keyOf(Technique& technique) {
-    std::uint64_t key = 0x51afd7ed558ccdull;
-    for (const char letter : technique.description().name) key = mixed(key, static_cast<unsigned char>(letter));
-    for (const Setting& setting : settingsOf(technique)) key = mixed(key, std::bit_cast<std::uint64_t>(setting.get()));
-    return key;
-}
-
 }  // namespace
 
 FrameRenderer::FrameRenderer()
     : device_(gl::currentDevice()),
       timer_(device_.software ? gl::PassTimer::Clock::Finish : gl::PassTimer::Clock::Timestamps),
-      samplePass_(programs_),
+      maps_(programs_, caches_),
+      samplePass_(programs_, caches_),
       shadePass_(programs_),
       displayPass_(programs_),
       heatMapPass_(programs_),
-      lookupPass_(programs_) {}
+      lookupPass_(programs_, caches_) {}
 
 void FrameRenderer::resize(int width, int height, int strata) {
     GLint largest = 0, deepest = 0;
@@ -75,8 +63,7 @@ void FrameRenderer::resize(int width, int height, int strata) {
     if (!samples_ || !fits(samples_->ids(), strata)) {
         samples_.emplace(width, height, strata);
         visibility_.emplace(width, height, strata);
-        samplePass_.forget();
-        lookupPass_.forget();
+        invalidateAll();
     }
     if (!radiance_ || !fits(*radiance_, 1)) {
         radiance_ = gl::Texture::image2D("radiance", GL_RGBA32F, width, height);
@@ -92,11 +79,12 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
     programs_.keepNewest(programsKept);
     plan_ = std::move(plan);
     technique_ = &technique;
-    techniqueKey_ = keyOf(technique);
+    forgetPast(technique);
     techniqueView_ = std::move(own);
     view_ = view;
     renders_ = technique.renders();
     done_ = 0;
+    settings_.set(technique);
     resize(plan_->request.width, plan_->request.height, renders_ > 1 ? 1 : plan_->request.samplesPerPixel);
     if (techniqueView_ &&
         (!values_ || values_->width() != radiance_->width() || values_->height() != radiance_->height()))
@@ -110,30 +98,22 @@ bool FrameRenderer::step() {
     if (complete()) return true;
     const FramePlan render = renders_ > 1 ? planAtInstant(*plan_, done_, renders_) : *plan_;
     uniforms_.set(render);
+    settings_.bind();
     mesh_.bind();
     {
         const auto timed = timer_.scope("sample");
         samplePass_.draw(render, mesh_, *samples_);
     }
-    const TechniqueFrame frame{render,
-                               mesh_,
-                               *samples_,
-                               *visibility_,
-                               fullscreen_,
-                               timer_,
-                               lookupPass_,
-                               samplePass_.staticIds(render, *samples_),
-                               samplePass_.dynamicPixels(render),
-                               render.versions.lit == 0 ? 0 : mixed(techniqueKey_, render.versions.lit) | 1};
+    maps_.begin(render, mesh_);
+    const TechniqueFrame frame{render, mesh_, *samples_, *visibility_,      fullscreen_,
+                               timer_, maps_, caches_,   settings_.define()};
     {
         const auto timed = timer_.scope("build");
         technique_->build(frame);
     }
     {
         const auto timed = timer_.scope("lookup");
-        lookupPass_.begin();
-        technique_->lookup(frame);
-        lookupPass_.end();
+        drawLookup(frame);
     }
     if (techniqueView_) {
         const auto timed = timer_.scope("view");
@@ -142,10 +122,44 @@ bool FrameRenderer::step() {
         const auto timed = timer_.scope("shade");
         shadePass_.draw(render, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
     }
-    techniqueBytes_ = technique_->bytes();  // here, as it may be gone when someone asks
     ++done_;
     if (checked_) checkBuffers();
+    if (complete()) endFrame();
     return complete();
+}
+
+void FrameRenderer::drawLookup(const TechniqueFrame& frame) {
+    if (technique_->hasOwnLookup()) return technique_->drawLookup(frame);
+    Lookup lookup;
+    lookup.program = [&](Casters casters) { return technique_->lookupProgram(frame, casters); };
+    lookup.footprint = technique_->footprint();
+    if (frame.plan.versions.lit != 0) lookup.key = Hash().add(settings_.key()).add(frame.plan.versions.lit).value() | 1;
+    lookup.staticIds = samplePass_.staticIds(frame.plan, *samples_);
+    lookupPass_.draw(frame, lookup);
+}
+
+void FrameRenderer::endFrame() {
+    caches_.endFrame();
+    const std::string own = technique_->description().name + ": ";
+    // Here, as the technique may be gone when someone asks.
+    techniqueBytes_ = technique_->bytes() + caches_.bytes(LightMaps::cacheNames) + caches_.bytes(own);
+}
+
+void FrameRenderer::invalidateAll() {
+    caches_.invalidateAll();
+    ++epoch_;
+}
+
+std::vector<std::string> FrameRenderer::reloadShaders() {
+    invalidateAll();
+    return programs_.reload();
+}
+
+/// A technique that remembers earlier frames must not use what is from before everything was invalidated.
+void FrameRenderer::forgetPast(Technique& technique) {
+    const auto [seen, isNew] = epochs_.try_emplace(&technique, epoch_);
+    if (seen->second != epoch_) technique.forget();
+    seen->second = epoch_;
 }
 
 void FrameRenderer::draw(FramePlan plan, Technique& technique, View view, const std::string& techniqueView) {
@@ -160,6 +174,8 @@ void FrameRenderer::checkBuffers() const {
     if (techniqueView_)
         requireFinite(*values_, "view " + techniqueView_->name, std::numeric_limits<float>::lowest(),
                       std::numeric_limits<float>::max());
+    for (const gl::Texture* texture : maps_.textures())
+        requireFinite(*texture, "light map", std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
     for (const gl::Texture* texture : technique_->textures())
         requireFinite(*texture, technique_->description().name, std::numeric_limits<float>::lowest(),
                       std::numeric_limits<float>::max());
@@ -208,8 +224,8 @@ std::vector<std::uint32_t> FrameRenderer::readSampleIds() const {
 GpuMemory FrameRenderer::memory() const {
     GpuMemory memory;
     memory.mesh = mesh_.bytes();
-    memory.samples = samplePass_.bytes() + (samples_ ? samples_->bytes() : 0);
-    memory.visibility = (visibility_ ? visibility_->bytes() : 0) + lookupPass_.bytes();
+    memory.samples = samplePass_.bytes() + caches_.bytes("samples: ") + (samples_ ? samples_->bytes() : 0);
+    memory.visibility = (visibility_ ? visibility_->bytes() : 0) + caches_.bytes("lookup: ");
     memory.technique = techniqueBytes_;
     memory.picture =
         (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);

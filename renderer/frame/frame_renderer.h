@@ -1,10 +1,14 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/frame_caches.h"
+#include "frame/lookup_pass.h"
+#include "frame/settings_block.h"
 #include "gl/device_info.h"
 #include "gl/pass_timer.h"
 #include "image/image_file.h"
@@ -32,6 +36,12 @@ class FrameRenderer {
     FrameRenderer();
 
     gl::ProgramCache& programs() { return programs_; }
+    /// Nothing of earlier frames is used again: neither what is cached nor what techniques remember. For whatever a key
+    /// does not tell: shaders, a scene, buffers that are others.
+    void invalidateAll();
+    /// Builds all programs again from their files and invalidates everything. Where one can't be built, the last good
+    /// one stays; what the driver and the files say of these, a line each.
+    std::vector<std::string> reloadShaders();
     const gl::DeviceInfo& device() const { return device_; }
 
     /// Starts a frame. The technique must outlive the frame. Throws Error where the technique does not support the plan
@@ -70,11 +80,17 @@ class FrameRenderer {
   private:
     void resize(int width, int height, int strata);
     void checkBuffers() const;
+    void forgetPast(Technique& technique);
+    void drawLookup(const TechniqueFrame& frame);
+    void endFrame();
 
     gl::DeviceInfo device_;
     gl::PassTimer timer_;
     gl::ProgramCache programs_;
+    FrameCaches caches_;
     FrameUniforms uniforms_;
+    SettingsBlock settings_;
+    LightMaps maps_;
     Fullscreen fullscreen_;
     GpuMesh mesh_;
     SamplePass samplePass_;
@@ -90,10 +106,11 @@ class FrameRenderer {
     std::optional<FramePlan> plan_;
     Technique* technique_ = nullptr;
     std::size_t techniqueBytes_ = 0;  ///< after the last render
-    std::uint64_t techniqueKey_ = 0;  ///< stands for the technique and its settings
     View view_ = View::Final;
     std::optional<TechniqueView> techniqueView_;
     int renders_ = 0, done_ = 0;
+    std::uint64_t epoch_ = 0;                           ///< how often everything was invalidated
+    std::map<const Technique*, std::uint64_t> epochs_;  ///< in which each technique drew last
     bool checked_ = false;
 };
 

@@ -24,6 +24,8 @@ class GrowingBuffer {
 
     void bindForWriting(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_->name()); }
     void bindForReading(GLuint unit) const { view_->bind(unit); }
+    /// What is read of it, as a buffer texture; another one after each reserve().
+    const Texture& texels() const { return *view_; }
     const Buffer& buffer() const { return *buffer_; }
     std::size_t bytes() const { return buffer_ ? buffer_->bytes() : 0; }
 

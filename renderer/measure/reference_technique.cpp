@@ -3,9 +3,17 @@
 namespace timeshade {
 
 const TechniqueDescription& ReferenceTechnique::description() const {
-    static const TechniqueDescription truth{"truth", "Ray-traced truth",
-                                            "Embree's motion-blurred shadow rays, one per camera sample.",
-                                            "Embree 3 (Wald et al. 2014)"};
+    static const TechniqueDescription truth{
+        .name = "truth",
+        .title = "Ground truth by ray tracing",
+        .shortTitle = "Ground truth",
+        .summary = "Embree's motion-blurred shadow rays, one per camera sample.",
+        .source = "Embree 3 (Wald et al. 2014)",
+        .wrong = {},
+        .look = {},
+        .picture = {},
+        .references = {},
+    };
     return truth;
 }
 
@@ -20,7 +28,7 @@ void ReferenceTechnique::build(const TechniqueFrame& frame) {
     builtFor_ = frame.plan.texels;
 }
 
-void ReferenceTechnique::lookup(const TechniqueFrame& frame) {
+void ReferenceTechnique::drawLookup(const TechniqueFrame& frame) {
     const gl::Texture& ids = frame.samples.ids();
     std::vector<std::uint32_t> triangles(ids.bytes() / sizeof(std::uint32_t));
     glGetTextureImage(ids.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(ids.bytes()),

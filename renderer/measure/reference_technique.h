@@ -17,8 +17,9 @@ class ReferenceTechnique final : public Technique {
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     /// Builds Embree's scene unless the mesh is the one of before.
     void build(const TechniqueFrame& frame) override;
-    void lookup(const TechniqueFrame& frame) override;
-    std::vector<const gl::Texture*> textures() const override { return {}; }
+    LookupProgram lookupProgram(const TechniqueFrame&, Casters) override { return {}; }
+    bool hasOwnLookup() const override { return true; }
+    void drawLookup(const TechniqueFrame& frame) override;
     std::size_t bytes() const override { return 0; }
 
   private:

@@ -38,10 +38,10 @@ std::size_t CellLists::scan(std::size_t multiple) {
         const gl::Program& program = programs_.get({.label = fmt::format("list scan {}", step),
                                                     .defines = {{"SCAN_STEP", fmt::format("{}", step)}},
                                                     .compute = "passes/list_scan.comp"});
-        program.use();
-        glUniform1ui(0, static_cast<GLuint>(cells_));
-        glUniform1ui(1, blocks);
-        glUniform1ui(2, static_cast<GLuint>(multiple));
+        program.use(gl::Inputs()
+                        .set("cells", static_cast<std::uint32_t>(cells_))
+                        .set("blocks", blocks)
+                        .set("multiple", static_cast<std::uint32_t>(multiple)));
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         glDispatchCompute(step == 1 ? 1 : blocks, 1, 1);
     }

@@ -16,9 +16,8 @@ void NearTriangles::set(const std::vector<std::uint32_t>& triangles) {
                          triangles.data());
 }
 
-void NearTriangles::bind() const {
-    glUniform1i(4, static_cast<GLint>(count_));
-    list_->bindForReading(NEAR_TRIANGLES_UNIT);
+void NearTriangles::addInputs(gl::Inputs& inputs) const {
+    inputs.texture("nearTriangles", list_->texels()).set("nearCount", static_cast<std::int32_t>(count_));
 }
 
 }  // namespace timeshade

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl/growing_buffer.h"
+#include "gl/inputs.h"
 
 namespace timeshade {
 
@@ -14,9 +15,8 @@ class NearTriangles {
   public:
     void set(const std::vector<std::uint32_t>& triangles);
     std::size_t count() const { return count_; }
-    /// Binds the list to NEAR_TRIANGLES_UNIT and sets its length, uniform location 4, of the program in use. Only where
-    /// there are any.
-    void bind() const;
+    /// Adds the list and its length, as lib/near_triangles.glsl reads them. Only where there are any.
+    void addInputs(gl::Inputs& inputs) const;
     std::size_t bytes() const { return list_ ? list_->bytes() : 0; }
 
   private:

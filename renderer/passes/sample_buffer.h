@@ -13,8 +13,14 @@ class SampleBuffer {
     const gl::Texture& ids() const { return ids_; }
     std::size_t bytes() const { return ids_.bytes(); }
 
+    /// R8: 1 in pixels where any sample sees something dynamic, 0 elsewhere. Null where that is not known, or nothing
+    /// dynamic is before the camera.
+    const gl::Texture* dynamicPixels() const { return dynamicPixels_; }
+    void setDynamicPixels(const gl::Texture* mask) { dynamicPixels_ = mask; }
+
   private:
     gl::Texture ids_;
+    const gl::Texture* dynamicPixels_ = nullptr;
 };
 
 }  // namespace timeshade

@@ -47,9 +47,7 @@ void ShadowMap::begin(const FramePlan& plan, float instant, const glm::mat3& map
     glDepthFunc(GL_GREATER);
     glDepthMask(GL_TRUE);
     target_->bindForDrawing(size, size);
-    program.use();
-    glUniform1f(0, instant);
-    glUniformMatrix3fv(1, 1, GL_FALSE, &mapFromPlane[0][0]);
+    program.use(gl::Inputs().set("instant", instant).set("mapFromPlane", mapFromPlane));
 }
 
 void ShadowMap::clear() const {

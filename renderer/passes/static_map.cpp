@@ -3,15 +3,13 @@
 namespace timeshade {
 
 void StaticMap::draw(const FramePlan& plan, const GpuMesh& mesh) {
-    if (drawn() && plan.versions.casters != 0 && plan.versions.casters == version_) return;
-    version_ = plan.versions.casters;
     if (coverage_ == Coverage::Rasterized) {
         map_.draw(plan, mesh, 0.0f, plan.casters.staticCasters);
         return;
     }
     const int size = plan.request.mapSize;
     if (!exact_ || exact_->width() != size)
-        exact_ = gl::Texture::array2D("still map", GL_DEPTH_COMPONENT32F, size, size, 1);
+        exact_ = gl::Texture::array2D("static map", GL_DEPTH_COMPONENT32F, size, size, 1);
     StochasticRasterizer(programs_).draw(mesh, plan.light, {&plan.light.staticTriangles},
                                          StochasticRasterizer::Role::Light, StochasticRasterizer::Output::DepthOnly, 1,
                                          nullptr, *exact_);

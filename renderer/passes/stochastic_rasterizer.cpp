@@ -84,14 +84,14 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
         for (const Uploaded& list : uploaded_) {
             if (list.smallCount > 0) {
                 points.use();
-                glUniform1ui(0, stratum);
+                points.set("stratum", stratum);
                 glVertexArrayElementBuffer(mesh.trianglesAsVertices().name(), list.small->name());
                 glBindVertexArray(mesh.trianglesAsVertices().name());
                 glDrawElements(GL_POINTS, static_cast<GLsizei>(list.smallCount), GL_UNSIGNED_INT, nullptr);
             }
             if (list.largeCount > 0) {
                 rectangles.use();
-                glUniform1ui(0, stratum);
+                rectangles.set("stratum", stratum);
                 list.largeView->bind(LARGE_TRIANGLES_UNIT);
                 glBindVertexArray(none_.name());
                 glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.largeCount));

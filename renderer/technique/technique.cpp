@@ -6,15 +6,12 @@
 
 namespace timeshade {
 
-void Technique::drawView(const TechniqueFrame&, const std::string& name, const gl::Texture&) {
-    throw Error(fmt::format("technique {} has no view '{}'", description().name, name));
+void Technique::drawLookup(const TechniqueFrame&) {
+    throw Error(fmt::format("technique {} has no lookup of its own", description().name));
 }
 
-gl::ShaderDefines viewDefines(const FramePlan& plan) {
-    gl::ShaderDefines defines;
-    if (plan.camera.turns) defines.emplace_back("CAMERA_TURNS", "1");
-    if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
-    return defines;
+void Technique::drawView(const TechniqueFrame&, const std::string& name, const gl::Texture&) {
+    throw Error(fmt::format("technique {} has no view '{}'", description().name, name));
 }
 
 }  // namespace timeshade

@@ -5,63 +5,20 @@
 #include <vector>
 
 #include "core/setting.h"
-#include "gl/pass_timer.h"
-#include "gl/program_cache.h"
-#include "passes/fullscreen.h"
-#include "passes/gpu_mesh.h"
-#include "passes/sample_buffer.h"
-#include "passes/visibility_buffer.h"
-#include "plan/frame_plan.h"
 #include "technique/footprint.h"
-#include "technique/lookup_pass.h"
+#include "technique/lookup_program.h"
 #include "technique/sampling_traits.h"
+#include "technique/technique_description.h"
+#include "technique/technique_frame.h"
+#include "technique/technique_statistic.h"
+#include "technique/technique_view.h"
 
 namespace timeshade {
 
-struct TechniqueDescription {
-    std::string name;     ///< as on the command line: lower case, also the name of its folders
-    std::string title;    ///< for people
-    std::string summary;  ///< one sentence: the idea and the price
-    std::string source;   ///< paper, year
-};
-
-/// What a technique may read, and the one buffer that it writes.
-struct TechniqueFrame {
-    const FramePlan& plan;
-    const GpuMesh& mesh;
-    const SampleBuffer& samples;
-    const VisibilityBuffer& visibility;
-    const Fullscreen& fullscreen;
-    gl::PassTimer& timer;  ///< for steps inside build and lookup, named "build/..." and "lookup/..."
-    LookupPass& lookup;    ///< how a lookup is drawn that asks each sample for itself
-    const gl::Texture* staticIds =
-        nullptr;  ///< samples of what stands still alone, layers as in `samples`; null where it is not known
-    const gl::Texture* dynamicPixels =
-        nullptr;  ///< R8: pixels in which something that moves is seen; null where there is none
-    std::uint64_t staticVisibility =
-        0;  ///< equal in two frames: still receivers and still casters give the same answers, by this technique too
-};
-
-/// A picture of what a technique works with, instead of the scene: one value a pixel, coloured by a scale.
-struct TechniqueView {
-    std::string name;              ///< as after --view: lower case, dashes between words
-    std::string title;             ///< for people
-    std::string unit;              ///< of the values: "ranges", "u"; may be empty
-    double low = 0.0, high = 1.0;  ///< the scale's ends; values beyond take the ends' colours
-    bool logarithmic = false;
-};
-
-/// Something that a technique counted while it drew, for the panel, --explain and reports.
-struct TechniqueStatistic {
-    std::string name;  ///< "dynamic triangles", "entries", "lists with unpaired fragments"
-    double value = 0.0;
-    std::string unit;     ///< may be empty
-    std::string warning;  ///< what it means for the picture, where that is not right; else empty
-};
-
-/// The thing under study: computes `lit` for every camera sample. It reads the plan, the mesh and the samples and
-/// writes the visibility buffer. It never shades, never asks the clock, draws no random number but from the plan's
-/// seed, and knows no other technique and no window. The frame's uniforms and the mesh are bound when it is called.
+/// The thing under study: computes `lit` for every camera sample. It reads the plan, the mesh and the samples, builds
+/// what it needs, and says how a lookup tells from it whether a receiver is lit; the frame draws that lookup. It never
+/// shades, never reads the clock, draws no random number but from the plan's seed, and knows no other technique and no
+/// window. The frame's uniforms, the technique's settings and the mesh are bound when it is called.
 class Technique : public HasSettings {
   public:
     Technique() = default;
@@ -93,8 +50,13 @@ class Technique : public HasSettings {
 
     /// Draws whatever the lookup needs. Timed as "build".
     virtual void build(const TechniqueFrame& frame) = 0;
-    /// Writes lit for every camera sample. Timed as "lookup".
-    virtual void lookup(const TechniqueFrame& frame) = 0;
+    /// How lit follows from what build left, by those casters. With its settings as they are.
+    virtual LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) = 0;
+    /// True: it draws its lookup itself, and lookupProgram is never called. For what no single program per stratum can
+    /// do.
+    virtual bool hasOwnLookup() const { return false; }
+    /// Writes lit for every camera sample. Only where hasOwnLookup. Both ways are timed as "lookup".
+    virtual void drawLookup(const TechniqueFrame& frame);
     /// Views of this technique's own, with its settings as they are.
     virtual std::vector<TechniqueView> views() const { return {}; }
     /// Draws the view of that name after the lookup: one value a pixel into `values` (R32F, the picture's size),
@@ -102,13 +64,11 @@ class Technique : public HasSettings {
     virtual void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values);
     /// What was counted in the frame drawn last. May wait for the device.
     virtual std::vector<TechniqueStatistic> statistics() const { return {}; }
-    /// The textures that build has drawn, for checks: none may hold a NaN or an infinity.
-    virtual std::vector<const gl::Texture*> textures() const = 0;
-    /// GPU memory held, in bytes.
+    /// The textures that build has drawn, for checks: none may hold a NaN or an infinity. Those of TechniqueFrame::maps
+    /// are not among them.
+    virtual std::vector<const gl::Texture*> textures() const { return {}; }
+    /// GPU memory held by the technique itself, in bytes: without the frame's maps and caches.
     virtual std::size_t bytes() const = 0;
 };
-
-/// Defines that lib/receiver.glsl and lib/light_map.glsl want for this plan.
-gl::ShaderDefines viewDefines(const FramePlan& plan);
 
 }  // namespace timeshade

@@ -3,33 +3,21 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "techniques/accumulation/accumulation_shadow.h"
-#include "techniques/exact/exact_shadow.h"
-#include "techniques/history/history_shadow.h"
-#include "techniques/ranges/ranges_shadow.h"
-#include "techniques/static/static_shadow.h"
-#include "techniques/temporal/temporal_shadow.h"
-#include "techniques/tsm/tsm_shadow.h"
+#include "technique/technique_entry.h"
 
 namespace timeshade {
 
+#define TECHNIQUE(name) TechniqueEntry name##Technique();
+#include "techniques/registry.def"
+#undef TECHNIQUE
+
 namespace {
 
-struct Entry {
-    const TechniqueDescription& (*describe)();
-    std::unique_ptr<Technique> (*make)(gl::ProgramCache&);
-};
-
-template <typename T>
-Entry entry() {
-    return {&T::describe,
-            [](gl::ProgramCache& programs) -> std::unique_ptr<Technique> { return std::make_unique<T>(programs); }};
-}
-
-const std::vector<Entry>& registry() {
-    static const std::vector<Entry> entries{
-        entry<StaticShadow>(),  entry<TsmShadow>(),    entry<AccumulationShadow>(), entry<ExactShadow>(),
-        entry<HistoryShadow>(), entry<RangesShadow>(), entry<TemporalShadow>(),
+const std::vector<TechniqueEntry>& registry() {
+    static const std::vector<TechniqueEntry> entries{
+#define TECHNIQUE(name) name##Technique(),
+#include "techniques/registry.def"
+#undef TECHNIQUE
     };
     return entries;
 }
@@ -39,7 +27,7 @@ const std::vector<Entry>& registry() {
 const std::vector<TechniqueDescription>& techniqueDescriptions() {
     static const std::vector<TechniqueDescription> descriptions = [] {
         std::vector<TechniqueDescription> all;
-        for (const Entry& entry : registry()) all.push_back(entry.describe());
+        for (const TechniqueEntry& entry : registry()) all.push_back(entry.describe());
         return all;
     }();
     return descriptions;
@@ -47,7 +35,7 @@ const std::vector<TechniqueDescription>& techniqueDescriptions() {
 
 std::unique_ptr<Technique> makeTechnique(const std::string& name, gl::ProgramCache& programs) {
     std::string known;
-    for (const Entry& entry : registry()) {
+    for (const TechniqueEntry& entry : registry()) {
         if (entry.describe().name == name) return entry.make(programs);
         known += (known.empty() ? "" : ", ") + entry.describe().name;
     }

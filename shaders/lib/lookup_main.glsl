@@ -1,5 +1,9 @@
-// CACHE_STATIC: asks about what stands still, by casters that do, and says where in the light's map each sample is: cell x and y, and what is left
-// beyond them, so that the least of all samples bounds a pixel.
+// Draws one stratum of a lookup: calls litOf or litOver of the technique for the sample of each pixel. This is where every
+// shadow test of this program begins.
+// FOOTPRINT_STRATUM, FOOTPRINT_SHUTTER: one value stands for a stratum or for the whole shutter. Camera samples of different
+// strata have places of their own inside the pixel, so each has a value of its own.
+// CACHE_STATIC: says besides where in the light's map each sample is: cell x and y, and what is left beyond them, so that
+// the least of all samples bounds a pixel.
 layout(location = 0) out float outputLit;
 #ifdef CACHE_STATIC
 layout(location = 1) out vec4 outputCells;
@@ -9,6 +13,17 @@ vec4 cellsOf(Receiver r) {
     return vec4(cell, float(REACHED_SIDE - 1) - cell);
 }
 #endif
+
+float litOfSample(MovingTriangle t, Receiver r) {
+#if defined(FOOTPRINT_SHUTTER)
+    return litOver(t, r, frame.timeBase, frame.timeBase + float(frame.strata) * frame.timeScale);
+#elif defined(FOOTPRINT_STRATUM)
+    float begin = frame.timeBase + float(stratum) * frame.timeScale;
+    return litOver(t, r, begin, begin + frame.timeScale);
+#else
+    return litOf(t, r);
+#endif
+}
 
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
@@ -22,7 +37,7 @@ void main() {
     Receiver r = receiverOf(t, id, pixel, stratum);
     outputLit = 0.0;
     if (!facesLight(r)) return;
-    outputLit = litOf(t, r);
+    outputLit = litOfSample(t, r);
 #ifdef CACHE_STATIC
     outputCells = cellsOf(r);
 #endif

@@ -1,7 +1,7 @@
 // Triangles that cross the light's near plane have no projection that a map could hold: each sample tests them one by one.
 #include "lib/receiver.glsl"
 
-layout(binding = NEAR_TRIANGLES_UNIT) uniform usamplerBuffer nearTriangles;
+uniform usamplerBuffer nearTriangles;
 
 // The definition of shadow itself: does the segment from the receiver to the light meet the triangle where it is at that time?
 bool shadowedByTriangle(uint id, Receiver r) {

@@ -10,7 +10,7 @@
 #define view cameraView
 #endif
 
-layout(location = 0) uniform uint stratum;
+uniform uint stratum;
 
 out gl_PerVertex {
     vec4 gl_Position;

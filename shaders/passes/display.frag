@@ -1,8 +1,8 @@
 // Linear radiance to what a screen shows. TONE_MAP: 0 shows the values as they are (visibility), 1 is filmic.
 #include "shared/display_curve.shared.h"
 
-layout(binding = 0) uniform sampler2D radiance;
-layout(location = 0) uniform float scale;  // 1 / the part of the renders that has been added up so far
+uniform sampler2D radiance;
+uniform float scale;  // 1 / the part of the renders that has been added up so far
 
 layout(location = 0) out vec4 outputColor;
 

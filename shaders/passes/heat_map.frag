@@ -1,8 +1,8 @@
 // One value a pixel as a colour; nothing where it is negative.
 #include "shared/heat_color.shared.h"
 
-layout(binding = 0) uniform sampler2D values;
-layout(location = 0) uniform vec3 scale;  // its ends, and whether it is logarithmic
+uniform sampler2D values;
+uniform vec3 scale;  // its ends, and whether it is logarithmic
 
 layout(location = 0) out vec4 outputColor;
 

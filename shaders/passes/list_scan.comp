@@ -10,9 +10,9 @@ layout(local_size_x = GROUP) in;
 layout(std430, binding = LIST_CURSORS_BINDING) buffer ListCursors { uint listCursors[]; };
 layout(std430, binding = LIST_OFFSETS_BINDING) buffer ListOffsets { uint listOffsets[]; };
 layout(std430, binding = LIST_BLOCKS_BINDING) buffer ListBlocks { uint listBlocks[]; };
-layout(location = 0) uniform uint cells;
-layout(location = 1) uniform uint blocks;
-layout(location = 2) uniform uint multiple;  // every list has room for a multiple of so many
+uniform uint cells;
+uniform uint blocks;
+uniform uint multiple;  // every list has room for a multiple of so many
 
 shared uint sums[GROUP];
 

@@ -4,10 +4,10 @@
 #include "lib/blocks.glsl"
 
 #ifdef DYNAMIC_SEEN
-layout(binding = DYNAMIC_PIXELS_UNIT) uniform sampler2D dynamicPixels;
+uniform sampler2D dynamicPixels;
 #endif
-layout(binding = CACHED_CELLS_UNIT) uniform sampler2D cachedCells;
-layout(binding = REACHED_UNIT) uniform usampler2D reachedCells;
+uniform sampler2D cachedCells;
+uniform usampler2D reachedCells;
 
 const int MAX_WALK = 16;  // cells along a side: a pixel on a silhouette may hold places far apart
 

@@ -4,8 +4,8 @@
 
 layout(location = 0) in vec3 positionOpen;
 layout(location = 1) in vec3 positionClose;
-layout(location = 0) uniform float instant;
-layout(location = 1) uniform mat3 mapFromPlane;
+uniform float instant;
+uniform mat3 mapFromPlane;
 
 out gl_PerVertex { vec4 gl_Position; };
 

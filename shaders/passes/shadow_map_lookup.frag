@@ -2,10 +2,8 @@
 // to that instant as well. PCF_RADIUS: 0 one texel, n the mean over (2n + 1)^2 tests (Reeves et al. 1987).
 #include "lib/lookup.glsl"
 
-layout(binding = TECHNIQUE_UNIT) uniform sampler2DArray shadowMap;
-layout(location = 1) uniform float instant;
-layout(location = 2) uniform float bias;
-layout(location = 3) uniform float slopeBias;
+uniform sampler2DArray shadowMap;
+uniform float instant;
 
 float litByTexel(ivec2 texel, float depth) {
     ivec2 last = ivec2(lightView.size) - 1;
@@ -15,7 +13,7 @@ float litByTexel(ivec2 texel, float depth) {
 
 float litOf(MovingTriangle t, Receiver r) {
     MapPoint m = mapPointOf(pointAt(t, r.triangle, r.barycentrics, instant), instant);
-    float depth = m.depth - depthBias(m, bias, slopeBias * float(2 * PCF_RADIUS + 1));
+    float depth = m.depth - depthBias(m, setting.bias, setting.slope_bias * float(2 * PCF_RADIUS + 1));
     ivec2 texel = ivec2(floor(m.position * lightView.size));
     float lit = 0.0;
     for (int y = -PCF_RADIUS; y <= PCF_RADIUS; ++y)

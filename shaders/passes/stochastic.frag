@@ -11,7 +11,7 @@
 #define view cameraView
 #endif
 
-layout(location = 0) uniform uint stratum;
+uniform uint stratum;
 
 flat in vec4 open0;
 flat in vec3 open1;

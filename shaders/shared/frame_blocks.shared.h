@@ -7,7 +7,8 @@
 #define FRAME_BLOCK_BINDING 0
 #define CAMERA_VIEW_BINDING 1
 #define LIGHT_VIEW_BINDING 2
-#define TECHNIQUE_BLOCK_BINDING 3
+#define TECHNIQUE_BLOCK_BINDING 3     // a technique's own
+#define TECHNIQUE_SETTINGS_BINDING 4  // made of its settings: lib/settings.glsl
 
 // Storage block bindings. A technique's own follow.
 #define LIST_CURSORS_BINDING 0
@@ -17,21 +18,15 @@
 
 #define LIST_SCAN_BLOCK 1024  // cells that one work group of the scan sees
 
-// Texture units.
+// Texture units of the frame. Samplers that name none get those from gl::firstFreeUnit on, by their names.
 #define TRIANGLE_POSITIONS_UNIT 0  // buffer texture, TRIANGLE_POSITION_TEXELS RGBA32F a triangle
 #define TRIANGLE_SHADING_UNIT 1    // buffer texture, TRIANGLE_SHADING_TEXELS RGBA32F a triangle
 #define SAMPLE_IDS_UNIT 2          // R32UI array, one layer a stratum
 #define VISIBILITY_UNIT 3          // R32F array, one layer a stratum
 #define LARGE_TRIANGLES_UNIT 4     // buffer texture, R32UI: triangles drawn as rectangles
 #define MATERIALS_UNIT 5           // buffer texture, MATERIAL_TEXELS RGBA32F a material
-#define TECHNIQUE_UNIT 6           // the first of a technique's own textures
 #define COLOR_IMAGES_UNIT 10       // 2D array of base colour images, sRGB
 #define DATA_IMAGES_UNIT 11        // 2D array of metallic-roughness images, linear
-// Of a lookup that keeps answers from frame to frame; the first two are other passes' own in between.
-#define DYNAMIC_PIXELS_UNIT 3   // R8: pixels in which something that moves is seen
-#define CACHED_CELLS_UNIT 4     // RGBA16F: where in the light's map a pixel's samples of what stands still are
-#define REACHED_UNIT 15         // R8UI: cells of that map that something moving may shadow
-#define NEAR_TRIANGLES_UNIT 13  // buffer texture, R32UI: triangles that cross the light's near plane
 
 #define TRIANGLE_POSITION_TEXELS 5
 #define TRIANGLE_SHADING_TEXELS 6

@@ -5,10 +5,6 @@
 
 SHARED_BEGIN
 
-#define MAP_TRIANGLES_UNIT 14  // texture unit: the triangles that this frame's map saw
-#define DYNAMIC_FLAGS_UNIT 15  // buffer texture, R8UI: 1 for every triangle that has moved
-#define RETEST_UNIT 4          // R32UI: until when a pixel rests, and where in the light's map it lies
-
 // Of a texel of the history, in one float's 24 bits: the number of its stratum, how often in a row its tests were sure,
 // its age.
 #define HISTORY_STRATUM_BITS 5
@@ -41,16 +37,12 @@ struct HistoryBlock {
     mat4 previousRaysClose;
     vec4 previousEyeOpen;  // xyz
     vec4 previousEyeClose;
-    float instant;      // u at which the map is drawn
-    float bias;         // texels
-    float slopeBias;    // half texels of slope; as published only
-    float exponent;     // m of equation 6
-    float weightScale;  // turns conf^m into a weight whose mean is 1
-    float memory;       // the most frames' worth of weight that the past may bring
-    float sharpness;    // factor on the distance from one half of what is shown
-    float threshold;    // of the distance from the camera: a past farther off its surface is another's
-    uint pcfRadius;
-    uint asPublished;
+    float instant;          // u at which the map is drawn
+    float exponent;         // m of equation 6
+    float weightScale;      // turns conf^m into a weight whose mean is 1
+    float memory;           // the most frames' worth of weight that the past may bring
+    float sharpness;        // factor on the distance from one half of what is shown
+    float threshold;        // of the distance from the camera: a past farther off its surface is another's
     uint hasPast;           // 0: nothing of the history may be used
     uint triesTriangles;    // 1: the triangles that the map saw are tried against the receiver's own ray
     uint keepsProof;        // 1: what is proven dark stays so until something moves
@@ -84,6 +76,6 @@ SHARED_END
 
 #ifdef __cplusplus
 namespace timeshade::shared {
-static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 5 * 16, "std140 layout changed: fix both readers");
+static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 14 * 4 + 8, "std140 layout changed: fix both readers");
 }
 #endif

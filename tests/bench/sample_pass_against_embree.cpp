@@ -34,14 +34,15 @@ double median(std::vector<double> values) {
 class NoShadow final : public Technique {
   public:
     const TechniqueDescription& description() const override {
-        static const TechniqueDescription none{"none", "none", "", ""};
+        static const TechniqueDescription none{"none", "none", "none", "", "", {}, {}, {}, {}};
         return none;
     }
     void visitSettings(SettingsVisitor&) override {}
     std::vector<PassDecision> passes(const FramePlan&) const override { return {}; }
     void build(const TechniqueFrame&) override {}
-    void lookup(const TechniqueFrame&) override {}
-    std::vector<const gl::Texture*> textures() const override { return {}; }
+    LookupProgram lookupProgram(const TechniqueFrame&, Casters) override { return {}; }
+    bool hasOwnLookup() const override { return true; }
+    void drawLookup(const TechniqueFrame&) override {}
     std::size_t bytes() const override { return 0; }
 };
 

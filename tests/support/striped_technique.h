@@ -11,13 +11,16 @@ namespace timeshade {
 class StripedTechnique final : public Technique {
   public:
     const TechniqueDescription& description() const override {
-        static const TechniqueDescription description{"striped", "Stripes", "A picture of its own columns.", "a test"};
+        static const TechniqueDescription description{
+            "striped", "Stripes", "Stripes", "A picture of its own columns.", "a test", {}, {}, {}, {}};
         return description;
     }
     void visitSettings(SettingsVisitor&) override {}
     std::vector<PassDecision> passes(const FramePlan&) const override { return {}; }
     void build(const TechniqueFrame&) override {}
-    void lookup(const TechniqueFrame& frame) override {
+    LookupProgram lookupProgram(const TechniqueFrame&, Casters) override { return {}; }
+    bool hasOwnLookup() const override { return true; }
+    void drawLookup(const TechniqueFrame& frame) override {
         const float lit = 1.0f;
         glClearTexImage(frame.visibility.lit().name(), 0, GL_RED, GL_FLOAT, &lit);
     }
@@ -38,7 +41,6 @@ class StripedTechnique final : public Technique {
         return {{"samples", samples_, "a pixel", ""},
                 {"lists with unpaired fragments", 12345.0, "", "the picture may be wrong there"}};
     }
-    std::vector<const gl::Texture*> textures() const override { return {}; }
     std::size_t bytes() const override { return 0; }
 
     const std::string& drawn() const { return drawn_; }

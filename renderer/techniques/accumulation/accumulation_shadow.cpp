@@ -2,13 +2,26 @@
 
 #include <fmt/format.h>
 
+#include "technique/technique_entry.h"
 namespace timeshade {
 
 const TechniqueDescription& AccumulationShadow::describe() {
     static const TechniqueDescription description{
-        "accumulation", "Accumulation (brute force)",
-        "The whole frame drawn M times at M instants with an ordinary shadow map, and averaged: slow and nearly right.",
-        "Haeberli, Akeley 1990"};
+        .name = "accumulation",
+        .title = "Accumulation (brute force)",
+        .shortTitle = "Accumulation",
+        .summary =
+            "The whole frame drawn M times at M instants with an ordinary shadow map, and averaged: slow and nearly "
+            "right.",
+        .source = "Haeberli, Akeley 1990",
+        .wrong =
+            "Nothing in time beyond half a step between two renders, but a fast thing becomes as many copies as there "
+            "are renders; the map's resolution; its price, since everything is drawn again for each.",
+        .look = "octopus with 8 renders and with 256.",
+        .picture = "Tips of arms: left 6 renders, right ground truth.",
+        .references = {"P. Haeberli, K. Akeley 1990: The accumulation buffer: hardware support for high-quality "
+                       "rendering. SIGGRAPH."},
+    };
     return description;
 }
 
@@ -17,7 +30,7 @@ void AccumulationShadow::visitSettings(SettingsVisitor& visitor) {
                   "How many instants of the shutter are drawn. Time and cost are in proportion; few show as separate "
                   "copies of the shadow.",
                   true);
-    shadow_.visitSettings(visitor);
+    map_.visitSettings(visitor);
 }
 
 std::vector<PassDecision> AccumulationShadow::passes(const FramePlan& plan) const {
@@ -25,5 +38,7 @@ std::vector<PassDecision> AccumulationShadow::passes(const FramePlan& plan) cons
             {"lookup", fmt::format("one camera sample per pixel and instant, {} in all; --spp has no effect", renders_),
              0}};
 }
+
+TechniqueEntry accumulationTechnique() { return entryOf<AccumulationShadow>(); }
 
 }  // namespace timeshade

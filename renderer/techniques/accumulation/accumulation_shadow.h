@@ -1,6 +1,6 @@
 #pragma once
 
-#include "technique/ordinary_map_shadow.h"
+#include "technique/ordinary_map.h"
 
 namespace timeshade {
 
@@ -12,24 +12,25 @@ namespace timeshade {
 class AccumulationShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
-    explicit AccumulationShadow(gl::ProgramCache& programs) : shadow_(programs) {}
+    explicit AccumulationShadow(gl::ProgramCache&) { resetSettings(*this); }
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
-    Footprint footprint() const override { return shadow_.footprint(); }
+    Footprint footprint() const override { return map_.footprint(); }
     SamplingTraits samplingTraits() const override {
-        return shadow_.samplingTraits(SamplingTraits::Times::EvenInstants, renders_);
+        return map_.samplingTraits(SamplingTraits::Times::EvenInstants, renders_);
     }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     int renders() const override { return renders_; }
-    void build(const TechniqueFrame& frame) override { shadow_.build(frame); }
-    void lookup(const TechniqueFrame& frame) override { shadow_.lookup(frame); }
-    std::vector<const gl::Texture*> textures() const override { return shadow_.textures(); }
-    std::size_t bytes() const override { return shadow_.bytes(); }
+    void build(const TechniqueFrame& frame) override { map_.build(frame); }
+    LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override {
+        return map_.lookupProgram(frame, casters);
+    }
+    std::size_t bytes() const override { return 0; }
 
   private:
-    OrdinaryMapShadow shadow_;
-    int renders_ = 256;
+    OrdinaryMap map_;
+    int renders_{};
 };
 
 }  // namespace timeshade

@@ -90,24 +90,19 @@ void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill
             {.label = large ? "large casters" : "small casters",
              .defines = defines,
              .compute = large ? "techniques/exact/large_casters.comp" : "techniques/exact/small_casters.comp"});
-        program.use();
-        glUniform1ui(0, static_cast<GLuint>(side_));
-        glUniform1ui(1, static_cast<GLuint>(buckets_));
+        program.use(gl::Inputs()
+                        .set("gridSide", static_cast<std::uint32_t>(side_))
+                        .set("buckets", static_cast<std::uint32_t>(buckets_)));
         if (large) {
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
             glDispatchCompute(largeGroups, 1, 1);
         } else {
-            glUniform1ui(3, static_cast<GLuint>(items));
-            glUniform1ui(5, maxWalk);
+            program.set("items", static_cast<std::uint32_t>(items));
+            program.set("maxWalk", maxWalk);
             glDispatchCompute((static_cast<GLuint>(items) + groupSize - 1) / groupSize, 1, 1);
         }
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-}
-
-void CandidateGrid::bindForLookup(GLuint unit) const {
-    lists_.offsets().bind(unit);
-    candidates_.bindForReading(unit + 1);
 }
 
 double CandidateGrid::entryBytes() const {

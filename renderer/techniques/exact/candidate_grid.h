@@ -25,9 +25,10 @@ class CandidateGrid {
     /// may lower that limit further.
     void build(const FramePlan& plan, const std::vector<std::uint32_t>& casters, const CandidateGridSize& wanted,
                std::size_t maxEntries = ~std::size_t{0});
-    /// Offsets to `unit`, entries to `unit` + 1: of four entries one texel holds the bounds and the next one the
-    /// triangles.
-    void bindForLookup(GLuint unit) const;
+    /// One place a cell and bucket and one more, and the entries: of four entries one texel holds the bounds and the
+    /// next one the triangles.
+    const gl::Texture& offsets() const { return lists_.offsets(); }
+    const gl::Texture& candidates() const { return candidates_.texels(); }
 
     int side() const { return side_; }
     int buckets() const { return buckets_; }

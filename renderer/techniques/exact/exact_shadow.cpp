@@ -5,15 +5,31 @@
 
 #include <fmt/format.h>
 
+#include "core/hash.h"
+#include "technique/technique_entry.h"
+
 namespace timeshade {
 
 const TechniqueDescription& ExactShadow::describe() {
     static const TechniqueDescription description{
-        "exact", "Exact candidates",
-        "Lists the moving triangles that might shadow each part of the light's view, and tests them per camera sample "
-        "at its own time: as right "
-        "as ray tracing, without noise of its own, aliasing or bias.",
-        "this program; after Story 2015 (hybrid ray-traced shadows) and Vasilakis, Fudos 2012 (S-buffer)"};
+        .name = "exact",
+        .title = "Exact candidates",
+        .shortTitle = "Exact",
+        .summary =
+            "Lists the moving triangles that might shadow each part of the light's view, and tests them per camera "
+            "sample at its own time: as right as ray tracing, without noise of its own, aliasing or bias.",
+        .source = "this program; after Story 2015 (hybrid ray-traced shadows) and Vasilakis, Fudos 2012 (S-buffer)",
+        .wrong =
+            "Nothing beyond the rounding of floats. Its price is in crowds: where many moving triangles lie over one "
+            "cell of the light's view, each sample tests them all.",
+        .look = "cubes with a count of 2,000: the view of candidates shows where the time goes.",
+        .picture = "cubes: left the picture, right how many triangles each sample tests.",
+        .references = {"J. Story 2015: Hybrid ray traced shadows. Game Developers Conference.",
+                       "A. Vasilakis, I. Fudos 2012: S-buffer: sparsity-aware multi-fragment rendering. Eurographics "
+                       "short papers.",
+                       "G. Johnson, J. Lee, C. Burns, W. Mark 2005: The irregular Z-buffer. ACM Transactions on "
+                       "Graphics 24 (4)."},
+    };
     return description;
 }
 
@@ -39,10 +55,10 @@ ExactShadow::FrameCasters ExactShadow::castersOf(const FramePlan& plan) const {
             sorted(culling, plan.casters.staticCasters, {})};
 }
 
-ExactShadow::Casters ExactShadow::sorted(const std::optional<CasterCulling>& culling,
-                                         const std::vector<std::uint32_t>& ids,
-                                         const std::vector<std::uint32_t>& more) {
-    Casters casters;
+ExactShadow::CasterList ExactShadow::sorted(const std::optional<CasterCulling>& culling,
+                                            const std::vector<std::uint32_t>& ids,
+                                            const std::vector<std::uint32_t>& more) {
+    CasterList casters;
     for (const auto* list : {&ids, &more}) {
         for (const std::uint32_t id : *list) {
             switch (culling ? culling->of(id) : CasterCulling::Reason::None) {
@@ -92,58 +108,63 @@ std::vector<PassDecision> ExactShadow::passes(const FramePlan& plan) const {
 }
 
 void ExactShadow::build(const TechniqueFrame& frame) {
+    FrameCasters casters = castersOf(frame.plan);
+    staticCasters_ = std::move(casters.staticOnes);
+    dynamicCasters_ = std::move(casters.dynamicOnes);
+    buildStatic(frame);
+    buildDynamic(frame);
+}
+
+void ExactShadow::buildStatic(const TechniqueFrame& frame) {
+    static_ = nullptr;
+    if (staticCasters_.listed.empty()) return;
     const FramePlan& plan = frame.plan;
-    auto [dynamicCasters, staticCasters] = castersOf(plan);
-    // Which surfaces are crossed in pairs may depend on the camera, of which the version says nothing.
-    const bool cached = still_ && plan.versions.casters != 0 && plan.versions.casters == staticVersion_ &&
-                        side_ == staticSide_ && staticCasters.listed == staticCasters_.listed;
-    staticCasters_ = std::move(staticCasters);
-    if (staticCasters_.listed.empty()) {
-        still_.reset();
-    } else if (!cached) {
-        const auto timed = frame.timer.scope("build/static");
-        staticCastersTravel_ = std::any_of(staticCasters_.listed.begin(), staticCasters_.listed.end(),
-                                           [&](std::uint32_t id) { return (*plan.triangles)[id].movesInWorld; });
-        wantedStatic_ = wantedFor(plan, staticCasters_.listed, false);
-        if (!still_) still_.emplace(programs_);
-        still_->build(plan, staticCasters_.listed, wantedStatic_);
-    }
-    staticVersion_ = plan.versions.casters;
-    staticSide_ = side_;
-    dynamicCasters_ = std::move(dynamicCasters);
+    // Which surfaces may be culled may depend on the camera, of which the version of the casters says nothing.
+    CacheKey key = 0;
+    if (plan.versions.casters != 0)
+        key =
+            Hash().add(plan.versions.casters).add(static_cast<std::uint64_t>(side_)).add(staticCasters_.listed).value();
+    auto& entry = frame.caches.entry<StaticLists>("exact: static lists");
+    const bool held = entry.holds(key);
+    StaticLists& lists = entry.get(programs_);
+    static_ = &lists;
+    if (held) return;
+    const auto timed = frame.timer.scope("build/static");
+    lists.travel = std::any_of(staticCasters_.listed.begin(), staticCasters_.listed.end(),
+                               [&](std::uint32_t id) { return (*plan.triangles)[id].movesInWorld; });
+    lists.wanted = wantedFor(plan, staticCasters_.listed, false);
+    lists.grid.build(plan, staticCasters_.listed, lists.wanted);
+    entry.setKey(key);
+}
+
+void ExactShadow::buildDynamic(const TechniqueFrame& frame) {
     if (dynamicCasters_.listed.empty()) {
-        moving_.reset();
+        dynamic_.reset();
         return;
     }
     const auto timed = frame.timer.scope("build/dynamic");
-    wantedDynamic_ = wantedFor(plan, dynamicCasters_.listed, true);
-    if (!moving_) moving_.emplace(programs_);
-    moving_->build(plan, dynamicCasters_.listed, wantedDynamic_);
+    wantedDynamic_ = wantedFor(frame.plan, dynamicCasters_.listed, true);
+    if (!dynamic_) dynamic_.emplace(programs_);
+    dynamic_->build(frame.plan, dynamicCasters_.listed, wantedDynamic_);
 }
 
-const gl::Program& ExactShadow::lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines) {
-    for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
-    if (moving_) defines.emplace_back("DYNAMIC_TRIANGLES", "1");
-    if (still_) defines.emplace_back("STATIC_TRIANGLES", "1");
-    if (still_ && staticCastersTravel_) defines.emplace_back("STATIC_CASTERS_TRAVEL", "1");
-    const gl::Program& program =
-        programs_.get({"exact lookup", "passes/fullscreen.vert", "techniques/exact/lookup.frag", defines});
-    program.use();
-    if (moving_) {
-        glUniform1ui(1, static_cast<GLuint>(moving_->side()));
-        glUniform1ui(2, static_cast<GLuint>(moving_->buckets()));
-        moving_->bindForLookup(TECHNIQUE_UNIT);
+LookupProgram ExactShadow::lookupProgram(const TechniqueFrame&, Casters) {
+    LookupProgram lookup{"exact lookup", "techniques/exact/lookup.frag", {}, {}};
+    if (dynamic_) {
+        lookup.defines.emplace_back("DYNAMIC_TRIANGLES", "1");
+        lookup.inputs.set("dynamicSide", static_cast<std::uint32_t>(dynamic_->side()))
+            .set("buckets", static_cast<std::uint32_t>(dynamic_->buckets()))
+            .texture("dynamicOffsets", dynamic_->offsets())
+            .texture("dynamicCandidates", dynamic_->candidates());
     }
-    if (still_) {
-        glUniform1ui(3, static_cast<GLuint>(still_->side()));
-        still_->bindForLookup(TECHNIQUE_UNIT + 2);
+    if (static_ != nullptr) {
+        lookup.defines.emplace_back("STATIC_TRIANGLES", "1");
+        if (static_->travel) lookup.defines.emplace_back("STATIC_CASTERS_TRAVEL", "1");
+        lookup.inputs.set("staticSide", static_cast<std::uint32_t>(static_->grid.side()))
+            .texture("staticOffsets", static_->grid.offsets())
+            .texture("staticCandidates", static_->grid.candidates());
     }
-    return program;
-}
-
-void ExactShadow::lookup(const TechniqueFrame& frame) {
-    frame.lookup.draw(
-        frame, [&](const gl::ShaderDefines& purpose) -> const gl::Program& { return lookupProgram(frame, purpose); });
+    return lookup;
 }
 
 std::vector<TechniqueView> ExactShadow::views() const {
@@ -152,8 +173,14 @@ std::vector<TechniqueView> ExactShadow::views() const {
 
 void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
     if (name != "candidates") return Technique::drawView(frame, name, values);
-    const gl::Program& program = lookupProgram(frame, {{"VIEW_CANDIDATES", "1"}});
-    glUniform1f(4, 1.0f / static_cast<float>(frame.plan.block.strata));
+    const LookupProgram lookup = lookupProgram(frame, Casters::All);
+    gl::ShaderDefines defines = frame.defines();
+    defines.emplace_back("VIEW_CANDIDATES", "1");
+    defines.insert(defines.end(), lookup.defines.begin(), lookup.defines.end());
+    const gl::Program& program =
+        programs_.get({"exact view", "passes/fullscreen.vert", lookup.fragment, std::move(defines)});
+    program.use(lookup.inputs);
+    program.set("share", 1.0f / static_cast<float>(frame.plan.block.strata));
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     if (!viewTarget_) viewTarget_.emplace("candidates view target");
     viewTarget_->setColorCount(1);
@@ -164,7 +191,7 @@ void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name,
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {
-        glUniform1ui(0, stratum);
+        program.set("stratum", stratum);
         frame.fullscreen.draw(program);
     }
     glDisable(GL_BLEND);
@@ -191,12 +218,14 @@ std::vector<TechniqueStatistic> ExactShadow::statistics() const {
             {which + "memory per triangle", grid.entryBytes() / static_cast<double>(casters), "bytes", ""});
         statistics.push_back({which + "memory of the cells", grid.cellBytes() / (1024.0 * 1024.0), "MiB", ""});
     };
-    if (moving_) {
-        statistics.push_back({"buckets", static_cast<double>(moving_->buckets()), "", ""});
-        add("", *moving_, wantedDynamic_, dynamicCasters_.count());
+    if (dynamic_) {
+        statistics.push_back({"buckets", static_cast<double>(dynamic_->buckets()), "", ""});
+        add("", *dynamic_, wantedDynamic_, dynamicCasters_.count());
     }
-    if (still_) add("static ", *still_, wantedStatic_, staticCasters_.count());
+    if (static_ != nullptr) add("static ", static_->grid, static_->wanted, staticCasters_.count());
     return statistics;
 }
+
+TechniqueEntry exactTechnique() { return entryOf<ExactShadow>(); }
 
 }  // namespace timeshade

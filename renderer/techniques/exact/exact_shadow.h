@@ -22,22 +22,20 @@ namespace timeshade {
 class ExactShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
-    explicit ExactShadow(gl::ProgramCache& programs) : programs_(programs) {}
+    explicit ExactShadow(gl::ProgramCache& programs) : programs_(programs) { resetSettings(*this); }
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
-    void lookup(const TechniqueFrame& frame) override;
+    LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
     std::vector<TechniqueStatistic> statistics() const override;
-    std::vector<const gl::Texture*> textures() const override { return {}; }
-    std::size_t bytes() const override { return (moving_ ? moving_->bytes() : 0) + (still_ ? still_->bytes() : 0); }
+    std::size_t bytes() const override { return dynamic_ ? dynamic_->bytes() : 0; }
 
   private:
-    const gl::Program& lookupProgram(const TechniqueFrame& frame, gl::ShaderDefines defines);
-    struct Casters {
+    struct CasterList {
         std::vector<std::uint32_t> listed;
         std::size_t facingAway =
             0;  ///< left out: they face away from the light, and their surfaces are crossed in pairs
@@ -45,23 +43,31 @@ class ExactShadow final : public Technique {
         std::size_t count() const { return listed.size() + facingAway + noReceiverBehind; }
     };
     struct FrameCasters {
-        Casters dynamicOnes, staticOnes;
+        CasterList dynamicOnes, staticOnes;
     };
     FrameCasters castersOf(const FramePlan& plan) const;
-    static Casters sorted(const std::optional<CasterCulling>& culling, const std::vector<std::uint32_t>& ids,
-                          const std::vector<std::uint32_t>& more);
+    static CasterList sorted(const std::optional<CasterCulling>& culling, const std::vector<std::uint32_t>& ids,
+                             const std::vector<std::uint32_t>& more);
     CandidateGridSize wantedFor(const FramePlan& plan, const std::vector<std::uint32_t>& casters, bool moving) const;
 
+    struct StaticLists {
+        explicit StaticLists(gl::ProgramCache& programs) : grid(programs) {}
+        std::size_t bytes() const { return grid.bytes(); }
+        CandidateGrid grid;
+        CandidateGridSize wanted;
+        bool travel = false;  ///< some are static only in the light's frame
+    };
+    void buildStatic(const TechniqueFrame& frame);
+    void buildDynamic(const TechniqueFrame& frame);
+
     gl::ProgramCache& programs_;
-    int side_ = 0, buckets_ = 0;
-    CandidateGridSize wantedDynamic_, wantedStatic_;
-    std::optional<CandidateGrid> moving_, still_;  ///< none where nothing moves, or stands still, in the light's frame
-    bool listAll_ = false;
+    int side_{}, buckets_{};
+    bool listAll_{};
     mutable ClosedSurfaceCache surfaces_;
-    std::uint64_t staticVersion_ = 0;
-    int staticSide_ = 0;
-    Casters dynamicCasters_, staticCasters_;  ///< of the frame drawn last
-    bool staticCastersTravel_ = false;        ///< some stand still only in the light's frame
+    CasterList dynamicCasters_, staticCasters_;  ///< of the frame drawn last
+    CandidateGridSize wantedDynamic_;
+    std::optional<CandidateGrid> dynamic_;  ///< none where nothing is dynamic in the light's frame
+    const StaticLists* static_ = nullptr;   ///< the frame's; none where nothing is static in the light's frame
     std::optional<gl::Framebuffer> viewTarget_;
 };
 

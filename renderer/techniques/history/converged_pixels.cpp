@@ -4,7 +4,8 @@
 
 namespace timeshade {
 
-ConvergedPixels::ConvergedPixels(gl::ProgramCache& programs) : programs_(programs), target_("woken pixels target") {
+ConvergedPixels::ConvergedPixels(gl::ProgramCache& programs)
+    : programs_(programs), target_("invalidated pixels target") {
     target_.setColorCount(0);
 }
 
@@ -13,28 +14,29 @@ void ConvergedPixels::allocate(const TechniqueFrame& frame) {
     if (lit_ && lit_->width() == lit.width() && lit_->height() == lit.height() && lit_->layers() == lit.layers())
         return;
     known_ = false;
-    periods_ = gl::Texture::image2D("resting pixels", GL_R32UI, lit.width(), lit.height());
-    marks_ = gl::Texture::array2D("woken pixels", GL_DEPTH_COMPONENT32F, lit.width(), lit.height(), 1);
-    lit_ = gl::Texture::array2D("answers of resting pixels", GL_R32F, lit.width(), lit.height(), lit.layers());
+    periods_ = gl::Texture::image2D("re-test periods", GL_R32UI, lit.width(), lit.height());
+    marks_ = gl::Texture::array2D("invalidated pixels", GL_DEPTH_COMPONENT32F, lit.width(), lit.height(), 1);
+    lit_ = gl::Texture::array2D("visibility of converged pixels", GL_R32F, lit.width(), lit.height(), lit.layers());
     target_.attach(GL_DEPTH_ATTACHMENT, *marks_);
 }
 
 void ConvergedPixels::invalidate(const TechniqueFrame& frame, const gl::Texture& written,
-                                 const DynamicCasters* dynamicCasters) {
-    gl::ShaderDefines defines;
-    if (frame.plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
-    if (dynamicCasters) defines.emplace_back("DYNAMIC_CASTERS", "1");
-    if (dynamicCasters && frame.dynamicPixels) defines.emplace_back("DYNAMIC_SEEN", "1");
-    const gl::Program& program =
-        programs_.get({"woken pixels", "passes/fullscreen.vert", "techniques/history/invalidate.frag", defines});
-    written.bind(TECHNIQUE_UNIT + 1);
-    periods_->bind(RETEST_UNIT);
-    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
+                                 const std::optional<DynamicCasters>& dynamicCasters) {
+    gl::ShaderDefines defines = frame.defines();
+    gl::Inputs inputs;
+    inputs.texture("past", written).texture("periods", *periods_);
     if (dynamicCasters) {
-        dynamicCasters->mask.bind(TECHNIQUE_UNIT + 3);
-        dynamicCasters->flags.bind(DYNAMIC_FLAGS_UNIT);
-        if (frame.dynamicPixels) frame.dynamicPixels->bind(DYNAMIC_PIXELS_UNIT);
+        defines.emplace_back("DYNAMIC_CASTERS", "1");
+        inputs.texture("dynamicMask", dynamicCasters->mask).texture("dynamicFlags", dynamicCasters->flags);
+        if (const gl::Texture* dynamicPixels = frame.samples.dynamicPixels()) {
+            defines.emplace_back("DYNAMIC_SEEN", "1");
+            inputs.texture("dynamicPixels", *dynamicPixels);
+        }
     }
+    const gl::Program& program =
+        programs_.get({"invalidated pixels", "passes/fullscreen.vert", "techniques/history/invalidate.frag", defines});
+    program.use(inputs);
+    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_ALWAYS);

@@ -5,7 +5,7 @@
 
 #include "gl/framebuffer.h"
 #include "gl/program_cache.h"
-#include "technique/technique.h"
+#include "technique/technique_frame.h"
 
 namespace timeshade {
 
@@ -31,13 +31,14 @@ class ConvergedPixels {
     };
     /// Marks the pixels that are not to rest, in a depth texture: a lookup with the depth test EQUAL draws them alone.
     /// `written`: the history as the frame before left it. The technique's uniforms must be bound.
-    void invalidate(const TechniqueFrame& frame, const gl::Texture& written, const DynamicCasters* dynamicCasters);
+    void invalidate(const TechniqueFrame& frame, const gl::Texture& written,
+                    const std::optional<DynamicCasters>& dynamicCasters);
     const gl::Texture& marks() const { return *marks_; }
     /// Hands the answers, those of resting pixels with the others, to the frame. From then on they are known.
     void show(const TechniqueFrame& frame);
 
-    const gl::Texture& hasConverged() const { return *periods_; }  ///< R32UI: the lookup's second output
-    const gl::Texture& answers() const { return *lit_; }           ///< R32F, a layer a stratum: what the lookup stores
+    const gl::Texture& periods() const { return *periods_; }  ///< R32UI: the lookup's second output
+    const gl::Texture& lit() const { return *lit_; }          ///< R32F, a layer a stratum: what the lookup stores
     std::size_t bytes() const;
 
   private:

@@ -24,31 +24,30 @@ std::vector<std::uint32_t> dynamicCastersBetween(const MeshTexels& before, const
     return dynamicCasters;
 }
 
-void DynamicMask::draw(const FramePlan& plan, const Fullscreen& fullscreen,
+void DynamicMask::draw(const TechniqueFrame& frame, const gl::Texture& previousPositions,
                        std::span<const std::uint32_t> dynamicCasters) {
+    const FramePlan& plan = frame.plan;
     const int size = sideFor(plan.request.mapSize);
     if (!depth_ || depth_->width() != size) {
-        depth_ = gl::Texture::array2D("mask of movers", GL_DEPTH_COMPONENT32F, size, size, 1);
-        target_.emplace("mask of movers target");
+        depth_ = gl::Texture::array2D("mask of dynamic casters", GL_DEPTH_COMPONENT32F, size, size, 1);
+        target_.emplace("mask of dynamic casters target");
         target_->setColorCount(0);
         target_->attach(GL_DEPTH_ATTACHMENT, *depth_);
     }
     const std::size_t triangles = plan.mesh->topology->triangles.size();
     if (!flags_ || flags_->bytes() != triangles) {
-        list_.emplace("movers", triangles * sizeof(std::uint32_t));
-        listView_ = gl::Texture::ofBuffer("movers", GL_R32UI, *list_);
-        flags_.emplace("flags of movers", triangles);
-        flagsView_ = gl::Texture::ofBuffer("flags of movers", GL_R8UI, *flags_);
+        list_.emplace("dynamic casters", triangles * sizeof(std::uint32_t));
+        listView_ = gl::Texture::ofBuffer("dynamic casters", GL_R32UI, *list_);
+        flags_.emplace("flags of dynamic casters", triangles);
+        flagsView_ = gl::Texture::ofBuffer("flags of dynamic casters", GL_R8UI, *flags_);
     }
     list_->upload(dynamicCasters);
     std::vector<std::uint8_t> flags(triangles);
     for (const std::uint32_t id : dynamicCasters) flags[id] = 1;
     flags_->upload(std::span<const std::uint8_t>(flags));
     listView_->bind(LARGE_TRIANGLES_UNIT);
-    gl::ShaderDefines defines;
-    if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
-    const gl::Program& program =
-        programs_.get({"mask of movers", "techniques/history/dynamic_casters.vert", "passes/depth_only.frag", defines});
+    const gl::Program& program = programs_.get({"mask of dynamic casters", "techniques/history/dynamic_casters.vert",
+                                                "passes/depth_only.frag", frame.defines()});
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
@@ -56,8 +55,8 @@ void DynamicMask::draw(const FramePlan& plan, const Fullscreen& fullscreen,
     target_->bindForDrawing(size, size);
     const float farthest = 0.0f;
     glClearNamedFramebufferfv(target_->name(), GL_DEPTH, 0, &farthest);
-    program.use();
-    glBindVertexArray(fullscreen.noAttributes().name());
+    program.use(gl::Inputs().texture("previousPositions", previousPositions));
+    glBindVertexArray(frame.fullscreen.noAttributes().name());
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(dynamicCasters.size()));
     glDisable(GL_DEPTH_TEST);
 }

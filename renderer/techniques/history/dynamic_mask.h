@@ -7,8 +7,7 @@
 
 #include "gl/framebuffer.h"
 #include "gl/program_cache.h"
-#include "passes/fullscreen.h"
-#include "plan/frame_plan.h"
+#include "technique/technique_frame.h"
 
 namespace timeshade {
 
@@ -21,8 +20,9 @@ std::vector<std::uint32_t> dynamicCastersBetween(const MeshTexels& before, const
 class DynamicMask {
   public:
     explicit DynamicMask(gl::ProgramCache& programs) : programs_(programs) {}
-    /// The frame's and the technique's uniforms and the triangles' positions of both frames must be bound.
-    void draw(const FramePlan& plan, const Fullscreen& fullscreen, std::span<const std::uint32_t> dynamicCasters);
+    /// `previousPositions`: the triangles as they were, as MeshTexels::positions. The technique's block must be bound.
+    void draw(const TechniqueFrame& frame, const gl::Texture& previousPositions,
+              std::span<const std::uint32_t> dynamicCasters);
     /// Texels along a side for a shadow map of the given size.
     static int sideFor(int mapSize) { return mapSize / 2; }
     const gl::Texture& depth() const { return *depth_; }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "technique/technique_entry.h"
 #include "techniques/history/map_raster.h"
 
 namespace timeshade {
@@ -41,11 +42,22 @@ bool hardShadows(const FramePlan& plan) {
 }  // namespace
 
 const TechniqueDescription& HistoryShadow::describe() {
-    static const TechniqueDescription description{"history", "History buffer with confidence",
-                                                  "A coarse map whose raster changes every frame; each pixel keeps "
-                                                  "what earlier frames' tests were sure of: converges to "
-                                                  "pixel-sharp shadows where nothing moves.",
-                                                  "Scherzer, Jeschke, Wimmer 2007"};
+    static const TechniqueDescription description{
+        .name = "history",
+        .title = "History buffer with confidence",
+        .shortTitle = "History",
+        .summary =
+            "A coarse map whose raster changes every frame; each pixel keeps what earlier frames' tests were sure of: "
+            "converges to pixel-sharp shadows where nothing moves.",
+        .source = "Scherzer, Jeschke, Wimmer 2007",
+        .wrong =
+            "Motion: where a shadow may have changed, the past is dropped and the pixel begins again, so that fast "
+            "casters have rough shadows.",
+        .look = "chess: let it play, then stop; edges sharpen while nothing moves.",
+        .picture = "chess while the queen slides: left history with a map of 256, right ground truth.",
+        .references = {"D. Scherzer, S. Jeschke, M. Wimmer 2007: Pixel-correct shadow maps with temporal reprojection "
+                       "and shadow test confidence. Eurographics Symposium on Rendering."},
+    };
     return description;
 }
 
@@ -57,14 +69,13 @@ void HistoryShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.number("m_still", mStill_, 15.0, 0.0, 64.0, "exponent", "The exponent that a still camera comes to.");
     visitor.number("m_step", mStep_, 1.0, 0.0, 640.0, "exponent in ten frames",
                    "How fast the exponent rises once the camera stands.");
-    visitor.whole("jitter", jitter_, 1, 0, 2, "kinds",
-                  "How the map's raster changes from frame to frame: 0 not at all, 1 shifted within a texel, 2 also "
-                  "turned. The paper needs 2; its "
-                  "repaired form converges faster with 1, whose shifts are spread evenly for every pixel.");
-    visitor.whole("fit", fit_, 1, 0, 2, "kinds",
-                  "What the map covers: 0 all that the light reaches, 1 what the camera sees of it, 2 that with more "
-                  "texels for what is "
-                  "near (light space perspective shadow maps).");
+    visitor.choice("jitter", jitter_, 1, {"none", "shift", "shift-and-rotate"},
+                   "How the map's raster changes from frame to frame: shifted within a texel, or rotated, too. The "
+                   "paper needs the latter; its repaired form converges faster with shifts alone, which are spread "
+                   "evenly for every pixel.");
+    visitor.choice("fit", fit_, 1, {"whole-light", "camera-view", "lispsm"},
+                   "What the map covers: all that the light reaches; what the camera sees of it; or that, with more "
+                   "texels for what is near (light space perspective shadow maps).");
     visitor.number("bias", bias_, 0.0625, 0.0, 16.0, "texels",
                    "How much nearer to the light a caster must be before it counts. The test is made on the receiver's "
                    "own plane at "
@@ -175,12 +186,11 @@ void HistoryShadow::uploadPrevious() {
         previous_->upload(positions);
         uploadedPrevious_ = texels;
     }
-    previousView_->bind(TECHNIQUE_UNIT + 2);
 }
 
 /// Defines of techniques/history/map_test.glsl.
-gl::ShaderDefines HistoryShadow::mapTestDefines(const FramePlan& plan) const {
-    gl::ShaderDefines defines = viewDefines(plan);
+gl::ShaderDefines HistoryShadow::mapTestDefines(const TechniqueFrame& frame) const {
+    gl::ShaderDefines defines = frame.defines();
     if (triesTriangles()) defines.emplace_back("TRIES_TRIANGLES", "1");
     return defines;
 }
@@ -203,8 +213,6 @@ shared::HistoryBlock HistoryShadow::blockOf(const FramePlan& plan) const {
                          : radicalInverse(7, static_cast<std::uint32_t>(transition_.heldFrames));
     block.instant =
         plan.block.timeBase + static_cast<float>(u) * static_cast<float>(plan.block.strata) * plan.block.timeScale;
-    block.bias = bias_;
-    block.slopeBias = slopeBias_;
     const auto still = static_cast<float>(transition_.staticFrames);
     block.exponent = std::min(std::max(m_, mStill_), m_ + 0.1f * mStep_ * still);
     block.weightScale = shared::confidenceWeightScale(block.exponent);
@@ -215,8 +223,6 @@ shared::HistoryBlock HistoryShadow::blockOf(const FramePlan& plan) const {
     block.sharpness =
         hardShadows(plan) && pcfRadius_ == 0 ? std::min(sharpen_, 1.0f + sharpenPerFrame * still * still) : 1.0f;
     block.threshold = 1e-3f * threshold_;
-    block.pcfRadius = static_cast<std::uint32_t>(pcfRadius_);
-    block.asPublished = asPublished_ ? 1u : 0u;
     block.hasPast = (asPublished_ ? state_.before() != nullptr : transition_.hasPast) ? 1u : 0u;
     block.triesTriangles = triesTriangles() ? 1u : 0u;
     // Then every instant of the shutter has the same answer.
@@ -265,58 +271,42 @@ void HistoryShadow::build(const TechniqueFrame& frame) {
     if (transition_.moved) uploadPrevious();
     if (block.dynamicMaskSize > 0.0f) {
         const auto timed = frame.timer.scope("build/mask");
-        mask_->draw(frame.plan, frame.fullscreen, transition_.dynamicCasters);
+        mask_->draw(frame, *previousView_, transition_.dynamicCasters);
     }
     map_->draw(frame.plan, frame.mesh, block.instant, glm::mat3(block.mapFromPlane));
 }
 
-void HistoryShadow::lookup(const TechniqueFrame& frame) {
+void HistoryShadow::drawLookup(const TechniqueFrame& frame) {
     if (framesDue_ == 0) return converged_->show(frame);
-    const bool dynamicCasters = !transition_.dynamicCasters.empty() && !asPublished_,
-               hasConverged = mayConverge(frame.plan);
-    if (!hasConverged) {
+    const bool converges = mayConverge(frame.plan);
+    if (!converges) {
         converged_.reset();
     } else {
         if (!converged_) converged_.emplace(programs_);
         converged_->allocate(frame);
         if (!transition_.hasPast) converged_->forget();
     }
-    const bool invalidates = hasConverged && converged_->known();
+    const bool invalidates = converges && converged_->known();
     if (invalidates) {
-        const ConvergedPixels::DynamicCasters theirs{dynamicCasters ? mask_->depth() : map_->depth(),
-                                                     dynamicCasters ? mask_->flags() : frame.samples.ids()};
-        converged_->invalidate(frame, *buffers_[current_], dynamicCasters ? &theirs : nullptr);
-        // What rests stays as it is; what is asked may want to read what another pixel is about to overwrite.
-        glCopyImageSubData(buffers_[current_]->name(), GL_TEXTURE_2D, 0, 0, 0, 0, buffers_[1 - current_]->name(),
-                           GL_TEXTURE_2D, 0, 0, 0, 0, buffers_[current_]->width(), buffers_[current_]->height(), 1);
+        invalidateConverged(frame);
     } else {
         current_ = 1 - current_;
     }
-    const gl::Texture &past = *buffers_[1 - current_],
-                      &lit = hasConverged ? converged_->answers() : frame.visibility.lit();
-    gl::ShaderDefines defines = mapTestDefines(frame.plan);
+    gl::ShaderDefines defines = mapTestDefines(frame);
     if (transition_.moved) defines.emplace_back("MOVED", "1");
     const gl::Program& program =
         programs_.get({"history lookup", "passes/fullscreen.vert", "techniques/history/lookup.frag", defines});
+    program.use(lookupInputs().texture("visibility", converges ? converged_->lit() : frame.visibility.lit()));
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    map_->depth().bind(TECHNIQUE_UNIT);
-    if (map_->keepsTriangles()) map_->triangles().bind(MAP_TRIANGLES_UNIT);
-    past.bind(TECHNIQUE_UNIT + 1);
-    if (transition_.moved) {
-        previousView_->bind(TECHNIQUE_UNIT + 2);
-        (dynamicCasters ? mask_->depth() : map_->depth()).bind(TECHNIQUE_UNIT + 3);
-        if (dynamicCasters) mask_->flags().bind(DYNAMIC_FLAGS_UNIT);
-    }
-    glBindImageTexture(0, lit.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32F);
-    target_->setColorCount(hasConverged ? 2 : 1);
+    target_->setColorCount(converges ? 2 : 1);
     target_->attach(GL_COLOR_ATTACHMENT0, *buffers_[current_]);
-    if (hasConverged) target_->attach(GL_COLOR_ATTACHMENT1, converged_->hasConverged());
+    if (converges) target_->attach(GL_COLOR_ATTACHMENT1, converged_->periods());
     if (invalidates) target_->attach(GL_DEPTH_ATTACHMENT, converged_->marks());
-    target_->bindForDrawing(past.width(), past.height());
+    target_->bindForDrawing(buffers_[current_]->width(), buffers_[current_]->height());
     tested_->begin();
     frame.fullscreen.draw(program);
     tested_->end();
-    if (hasConverged) target_->detach(GL_COLOR_ATTACHMENT1);
+    if (converges) target_->detach(GL_COLOR_ATTACHMENT1);
     if (invalidates) {
         target_->detach(GL_DEPTH_ATTACHMENT);
         glDepthMask(GL_TRUE);
@@ -325,7 +315,31 @@ void HistoryShadow::lookup(const TechniqueFrame& frame) {
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    if (hasConverged) converged_->show(frame);
+    if (converges) converged_->show(frame);
+}
+
+/// Marks the pixels that are tested in this frame; the others keep what they have.
+void HistoryShadow::invalidateConverged(const TechniqueFrame& frame) {
+    if (masksDynamicCasters())
+        converged_->invalidate(frame, *buffers_[current_],
+                               ConvergedPixels::DynamicCasters{mask_->depth(), mask_->flags()});
+    else
+        converged_->invalidate(frame, *buffers_[current_], std::nullopt);
+    // A pixel that is tested may want to read what another one is about to overwrite.
+    glCopyImageSubData(buffers_[current_]->name(), GL_TEXTURE_2D, 0, 0, 0, 0, buffers_[1 - current_]->name(),
+                       GL_TEXTURE_2D, 0, 0, 0, 0, buffers_[current_]->width(), buffers_[current_]->height(), 1);
+}
+
+gl::Inputs HistoryShadow::lookupInputs() const {
+    gl::Inputs inputs;
+    inputs.texture("shadowMap", map_->depth()).texture("past", *buffers_[1 - current_]);
+    if (map_->keepsTriangles()) inputs.texture("mapTriangles", map_->triangles());
+    if (!transition_.moved) return inputs;
+    const bool masked = masksDynamicCasters();
+    inputs.texture("previousPositions", *previousView_)
+        .texture("dynamicMask", masked ? mask_->depth() : map_->depth());  // not read where nothing is masked
+    if (masked) inputs.texture("dynamicFlags", mask_->flags());
+    return inputs;
 }
 
 std::vector<TechniqueView> HistoryShadow::views() const {
@@ -339,14 +353,13 @@ void HistoryShadow::drawView(const TechniqueFrame& frame, const std::string& nam
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end() || !map_) return Technique::drawView(frame, name, values);
     const gl::Program& program = programs_.get(
-        {"history view", "passes/fullscreen.vert", "techniques/history/view.frag", mapTestDefines(frame.plan)});
+        {"history view", "passes/fullscreen.vert", "techniques/history/view.frag", mapTestDefines(frame)});
     glBindBufferBase(GL_UNIFORM_BUFFER, TECHNIQUE_BLOCK_BINDING, block_->name());
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    map_->depth().bind(TECHNIQUE_UNIT);
-    if (map_->keepsTriangles()) map_->triangles().bind(MAP_TRIANGLES_UNIT);
-    buffers_[current_]->bind(TECHNIQUE_UNIT + 1);
-    program.use();
-    glUniform1ui(0, static_cast<GLuint>(found - names.begin()));
+    gl::Inputs inputs;
+    inputs.texture("shadowMap", map_->depth()).texture("written", *buffers_[current_]);
+    if (map_->keepsTriangles()) inputs.texture("mapTriangles", map_->triangles());
+    program.use(inputs.set("view", static_cast<std::uint32_t>(found - names.begin())));
     target_->setColorCount(1);
     target_->attach(GL_COLOR_ATTACHMENT0, values);
     target_->bindForDrawing(values.width(), values.height());
@@ -373,5 +386,7 @@ std::size_t HistoryShadow::bytes() const {
     for (const auto& buffer : buffers_) sum += buffer ? buffer->bytes() : 0;
     return sum;
 }
+
+TechniqueEntry historyTechnique() { return entryOf<HistoryShadow>(); }
 
 }  // namespace timeshade

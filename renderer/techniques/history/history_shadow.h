@@ -47,7 +47,7 @@ namespace timeshade {
 class HistoryShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
-    explicit HistoryShadow(gl::ProgramCache& programs) : programs_(programs) {}
+    explicit HistoryShadow(gl::ProgramCache& programs) : programs_(programs) { resetSettings(*this); }
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
@@ -60,7 +60,9 @@ class HistoryShadow final : public Technique {
     int settlingFrames() const override { return framesToSettle; }
     void forget() override;
     void build(const TechniqueFrame& frame) override;
-    void lookup(const TechniqueFrame& frame) override;
+    LookupProgram lookupProgram(const TechniqueFrame&, Casters) override { return {}; }
+    bool hasOwnLookup() const override { return true; }
+    void drawLookup(const TechniqueFrame& frame) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
     std::vector<TechniqueStatistic> statistics() const override;
@@ -77,19 +79,22 @@ class HistoryShadow final : public Technique {
     shared::HistoryBlock blockOf(const FramePlan& plan) const;
     void allocate(const FramePlan& plan);
     void uploadPrevious();
-    gl::ShaderDefines mapTestDefines(const FramePlan& plan) const;
+    void invalidateConverged(const TechniqueFrame& frame);
+    gl::Inputs lookupInputs() const;
+    bool masksDynamicCasters() const { return !transition_.dynamicCasters.empty() && !asPublished_; }
+    gl::ShaderDefines mapTestDefines(const TechniqueFrame& frame) const;
     bool mayConverge(const FramePlan& plan) const;
     bool keepsProof(const FramePlan& plan) const;
     /// Frames whose due pixels are asked in this one; 0: none is, and nothing is drawn.
     int framesDue(const FramePlan& plan) const;
 
     gl::ProgramCache& programs_;
-    float m_ = 3.0f, mStep_ = 1.0f, mStill_ = 15.0f;
-    int jitter_ = 1, fit_ = 1;
-    float bias_ = 0.0625f, slopeBias_ = 1.0f, threshold_ = 2.0f, sharpen_ = 256.0f;
-    int pcfRadius_ = 0;
-    bool tryTriangles_ = true, asPublished_ = false;
-    int warmUp_ = 16, hold_ = 0;
+    float m_{}, mStep_{}, mStill_{};
+    int jitter_{}, fit_{};
+    float bias_{}, slopeBias_{}, threshold_{}, sharpen_{};
+    int pcfRadius_{};
+    bool tryTriangles_{}, asPublished_{};
+    int warmUp_{}, hold_{};
 
     HistoryState state_;
     FrameTransition transition_;

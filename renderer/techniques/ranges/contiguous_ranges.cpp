@@ -101,8 +101,7 @@ void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& mot
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RANGES_COUNTS_BINDING, counts_.name());
     const gl::Program& program =
         programs_.get({.label = "ranges generate", .compute = "techniques/ranges/generate.comp"});
-    program.use();
-    glUniform1ui(0, static_cast<GLuint>(size * size));
+    program.use(gl::Inputs().set("texels", static_cast<std::uint32_t>(size * size)));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     if (places_ > 0) glDispatchCompute(static_cast<GLuint>((size * size + 63) / 64), 1, 1);
     CellLists::finishFill();
@@ -118,8 +117,7 @@ void ContiguousRanges::drawPrisms(const TechniqueFrame& frame, bool fill) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     target_.bindForDrawing(frame.plan.request.mapSize, frame.plan.request.mapSize);
-    triangles_.bindForReading(TECHNIQUE_UNIT);
-    program.use();
+    program.use(gl::Inputs().texture("prismTriangles", triangles_.texels()));
     glBindVertexArray(none_.name());
     for (std::size_t first = 0; first < prisms_; first += prismsPerCall) {
         const std::size_t count = std::min(prismsPerCall, prisms_ - first);
@@ -128,12 +126,12 @@ void ContiguousRanges::drawPrisms(const TechniqueFrame& frame, bool fill) {
     }
 }
 
-void ContiguousRanges::bind() const {
-    lists_.offsets().bind(RANGES_OFFSETS_UNIT);
-    times_.bindForReading(RANGES_TIMES_UNIT);
-    distances_.bindForReading(RANGES_DISTANCES_UNIT);
-    ids_.bindForReading(RANGES_IDS_UNIT);
-    slopes_.bindForReading(RANGES_SLOPES_UNIT);
+void ContiguousRanges::addInputs(gl::Inputs& inputs) const {
+    inputs.texture("listOffsets", lists_.offsets())
+        .texture("rangeTimes", times_.texels())
+        .texture("rangeDistances", distances_.texels())
+        .texture("rangeIds", ids_.texels())
+        .texture("rangeSlopes", slopes_.texels());
 }
 
 RangeCounts ContiguousRanges::counts() const {

@@ -17,7 +17,7 @@ class ContiguousRanges final : public RangeLists {
   public:
     explicit ContiguousRanges(gl::ProgramCache& programs);
     void build(const TechniqueFrame& frame, const LightMotion& motion) override;
-    void bind() const override;
+    void addInputs(gl::Inputs& inputs) const override;
     RangeCounts counts() const override;
     std::size_t bytes() const override;
 

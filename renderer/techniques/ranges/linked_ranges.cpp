@@ -80,9 +80,9 @@ void LinkedRanges::collect(const TechniqueFrame& frame) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     target_.bindForDrawing(size, size);
-    triangles_.bindForReading(TECHNIQUE_UNIT);
-    program.use();
-    glUniform1ui(0, static_cast<GLuint>(capacity_));
+    program.use(gl::Inputs()
+                    .texture("prismTriangles", triangles_.texels())
+                    .set("capacity", static_cast<std::uint32_t>(capacity_)));
     glBindVertexArray(none_.name());
     if (prisms_ > 0) glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(prisms_));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -96,15 +96,13 @@ void LinkedRanges::generate() {
     rangeList_.bindForWriting(LINKED_RANGES_BINDING);
     const gl::Program& program =
         programs_.get({.label = "published ranges generate", .compute = "techniques/ranges/published_generate.comp"});
-    program.use();
-    glUniform1ui(0, static_cast<GLuint>(texels_));
+    program.use(gl::Inputs().set("texels", static_cast<std::uint32_t>(texels_)));
     glDispatchCompute(static_cast<GLuint>((texels_ + 63) / 64), 1, 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void LinkedRanges::bind() const {
-    rangeHeads_.bindForReading(RANGES_OFFSETS_UNIT);
-    rangeList_.bindForReading(RANGES_TIMES_UNIT);
+void LinkedRanges::addInputs(gl::Inputs& inputs) const {
+    inputs.texture("rangeHeads", rangeHeads_.texels()).texture("ranges", rangeList_.texels());
 }
 
 RangeCounts LinkedRanges::counts() const {

@@ -20,7 +20,7 @@ class LinkedRanges final : public RangeLists {
   public:
     explicit LinkedRanges(gl::ProgramCache& programs);
     void build(const TechniqueFrame& frame, const LightMotion& motion) override;
-    void bind() const override;
+    void addInputs(gl::Inputs& inputs) const override;
     RangeCounts counts() const override;
     std::size_t bytes() const override;
 

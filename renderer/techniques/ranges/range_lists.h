@@ -25,8 +25,8 @@ class RangeLists {
     /// Draws the prisms of motion.dynamicCasters and makes ranges of them, timed as "build/collect" and
     /// "build/generate". Throws Error that names the limit where the device can't hold the lists.
     virtual void build(const TechniqueFrame& frame, const LightMotion& motion) = 0;
-    /// Binds what shaders/techniques/ranges/lists.glsl reads.
-    virtual void bind() const = 0;
+    /// Adds what shaders/techniques/ranges/lists.glsl reads.
+    virtual void addInputs(gl::Inputs& inputs) const = 0;
     /// Of the lists built last. Waits for the device.
     virtual RangeCounts counts() const = 0;
     virtual std::size_t bytes() const = 0;

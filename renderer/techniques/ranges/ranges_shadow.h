@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "passes/near_triangles.h"
-#include "passes/static_map.h"
 #include "technique/technique.h"
 #include "techniques/ranges/range_lists.h"
 
@@ -24,34 +23,32 @@ namespace timeshade {
 class RangesShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
-    explicit RangesShadow(gl::ProgramCache& programs) : programs_(programs) {}
+    explicit RangesShadow(gl::ProgramCache& programs) : programs_(programs) { resetSettings(*this); }
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
     SamplingTraits samplingTraits() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
-    void lookup(const TechniqueFrame& frame) override;
+    LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
     std::vector<TechniqueStatistic> statistics() const override;
-    std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;
 
   private:
     /// The plan's casters, by the form's own way of listing them.
     LightMotion listed(const FramePlan& plan) const;
     void buildLists(const TechniqueFrame& frame, const LightMotion& motion);
-    gl::ShaderDefines lookupDefines(const FramePlan& plan) const;
     std::size_t predictedBytes(const RangeCounts& counts) const;
 
     gl::ProgramCache& programs_;
-    float bias_ = 0.5f, slopeBias_ = 1.0f;
-    bool asPublished_ = false;
+    float bias_{}, slopeBias_{};
+    bool asPublished_{};
 
     bool builtAsPublished_ = false;
-    std::unique_ptr<RangeLists> lists_;  ///< none where nothing moves
-    std::optional<StaticMap> staticMap_;
+    std::unique_ptr<RangeLists> lists_;       ///< none where nothing moves
+    const gl::Texture* staticMap_ = nullptr;  ///< the frame's
     NearTriangles near_;
     std::size_t staticCasters_ = 0, moving_ = 0, nonTranslating_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;

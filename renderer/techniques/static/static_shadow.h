@@ -1,6 +1,6 @@
 #pragma once
 
-#include "technique/ordinary_map_shadow.h"
+#include "technique/ordinary_map.h"
 
 namespace timeshade {
 
@@ -9,22 +9,21 @@ namespace timeshade {
 class StaticShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
-    explicit StaticShadow(gl::ProgramCache& programs) : shadow_(programs) {}
+    explicit StaticShadow(gl::ProgramCache&) { resetSettings(*this); }
 
     const TechniqueDescription& description() const override { return describe(); }
-    void visitSettings(SettingsVisitor& visitor) override { shadow_.visitSettings(visitor); }
-    Footprint footprint() const override { return shadow_.footprint(); }
-    SamplingTraits samplingTraits() const override {
-        return shadow_.samplingTraits(SamplingTraits::Times::OneInstant, 1);
-    }
+    void visitSettings(SettingsVisitor& visitor) override { map_.visitSettings(visitor); }
+    Footprint footprint() const override { return map_.footprint(); }
+    SamplingTraits samplingTraits() const override { return map_.samplingTraits(SamplingTraits::Times::OneInstant, 1); }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
-    void build(const TechniqueFrame& frame) override { shadow_.build(frame); }
-    void lookup(const TechniqueFrame& frame) override { shadow_.lookup(frame); }
-    std::vector<const gl::Texture*> textures() const override { return shadow_.textures(); }
-    std::size_t bytes() const override { return shadow_.bytes(); }
+    void build(const TechniqueFrame& frame) override { map_.build(frame); }
+    LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override {
+        return map_.lookupProgram(frame, casters);
+    }
+    std::size_t bytes() const override { return 0; }
 
   private:
-    OrdinaryMapShadow shadow_;
+    OrdinaryMap map_;
 };
 
 }  // namespace timeshade

@@ -30,10 +30,11 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
     covers_.set(frame.plan, moving);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl::ShaderDefines defines;
+    gl::Inputs inputs;
     if (coverageMap) {
         const auto timed = frame.timer.scope("build/coverage");
         drawCoverage(frame);
-        coverage_->bind(TUPLE_COVERAGE_UNIT);
+        inputs.texture("coverageMap", *coverage_);
         defines.emplace_back("COVERAGE_MAP", "1");
     } else {
         coverage_.reset();
@@ -57,13 +58,16 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
         reserve(1);
         lists_.beginCount(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
         target_.bindForDrawing(size, size);
-        covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines, 0);
+        covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines,
+                     gl::Inputs(inputs).set("filling", 0u));
         tuples_ = lists_.scan();
     }
     const auto timed = frame.timer.scope("build/tuples");
     reserve(tuples_);
     target_.bindForDrawing(size, size);
-    if (tuples_ > 0) covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines, 1);
+    if (tuples_ > 0)
+        covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines,
+                     gl::Inputs(inputs).set("filling", 1u));
     CellLists::finishFill();
 }
 
@@ -79,15 +83,15 @@ void ExactTuples::drawCoverage(const TechniqueFrame& frame) {
     coverageTarget_.bindForDrawing(size, size);
     const float nobody = 0.0f;
     glClearNamedFramebufferfv(coverageTarget_.name(), GL_DEPTH, 0, &nobody);
-    covers_.draw(programs_, "techniques/temporal/claim.frag", {});
+    covers_.draw(programs_, "techniques/temporal/claim.frag", {}, {});
 }
 
-void ExactTuples::bind() const {
-    lists_.offsets().bind(TUPLE_OFFSETS_UNIT);
-    times_.bindForReading(TUPLE_TIMES_UNIT);
-    depths_.bindForReading(TUPLE_DEPTHS_UNIT);
-    ids_.bindForReading(TUPLE_IDS_UNIT);
-    if (coverage_) coverage_->bind(TUPLE_COVERAGE_UNIT);
+void ExactTuples::addInputs(gl::Inputs& inputs) const {
+    inputs.texture("tupleOffsets", lists_.offsets())
+        .texture("tupleTimes", times_.texels())
+        .texture("tupleDepths", depths_.texels())
+        .texture("tupleIds", ids_.texels());
+    if (coverage_) inputs.texture("coverageMap", *coverage_);
 }
 
 TupleCounts ExactTuples::counts() const {

@@ -21,7 +21,7 @@ class ExactTuples final : public TupleLists {
     explicit ExactTuples(gl::ProgramCache& programs);
 
     void build(const TechniqueFrame& frame, const std::vector<std::uint32_t>& moving, bool coverageMap) override;
-    void bind() const override;
+    void addInputs(gl::Inputs& inputs) const override;
     TupleCounts counts() const override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;

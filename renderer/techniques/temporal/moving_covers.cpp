@@ -58,16 +58,14 @@ void MovingCovers::set(const FramePlan& plan, const std::vector<std::uint32_t>& 
 }
 
 void MovingCovers::draw(gl::ProgramCache& programs, const std::string& fragment, const gl::ShaderDefines& defines,
-                        std::optional<GLuint> uniform0) const {
+                        const gl::Inputs& inputs) const {
     gl::ShaderDefines all = defines;
     if (orthographic_) all.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
     glDisable(GL_BLEND);
     if (large_ > 0) {
         const gl::Program& program =
             programs.get({"moving rectangles", "techniques/temporal/cover.vert", fragment, all});
-        program.use();
-        if (uniform0) glUniform1ui(0, *uniform0);
-        largeTriangles_.bindForReading(COVER_TRIANGLES_UNIT);
+        program.use(gl::Inputs(inputs).texture("coverTriangles", largeTriangles_.texels()));
         glBindVertexArray(rectangles_.name());
         for (std::size_t first = 0; first < large_; first += rectanglesPerCall)
             glDrawElementsBaseVertex(GL_TRIANGLES,
@@ -77,10 +75,8 @@ void MovingCovers::draw(gl::ProgramCache& programs, const std::string& fragment,
     if (small_ > 0) {
         all.emplace_back("COVER_POINTS", "1");
         const gl::Program& program = programs.get({"moving points", "techniques/temporal/cover.vert", fragment, all});
-        program.use();
-        if (uniform0) glUniform1ui(0, *uniform0);
+        program.use(gl::Inputs(inputs).texture("coverTriangles", smallTriangles_.texels()));
         glEnable(GL_PROGRAM_POINT_SIZE);
-        smallTriangles_.bindForReading(COVER_TRIANGLES_UNIT);
         glBindVertexArray(points_.name());
         glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(small_));
     }

@@ -20,10 +20,9 @@ class MovingCovers {
 
     /// Uploads the triangles, sorted by kind of cover.
     void set(const FramePlan& plan, const std::vector<std::uint32_t>& triangles);
-    /// Draws all covers into the framebuffer that is bound. `uniform0` goes to uniform location 0 of the fragment
-    /// shader, if it has one.
+    /// Draws all covers into the framebuffer that is bound, with the inputs that the fragment shader wants.
     void draw(gl::ProgramCache& programs, const std::string& fragment, const gl::ShaderDefines& defines,
-              std::optional<GLuint> uniform0 = std::nullopt) const;
+              const gl::Inputs& inputs) const;
     std::size_t count() const { return small_ + large_; }
     std::size_t bytes() const { return smallTriangles_.bytes() + largeTriangles_.bytes() + indices_.bytes(); }
     /// Of the index buffer, whose size does not depend on the scene.

@@ -28,14 +28,14 @@ void PublishedCoverage::draw(int mapSize, const MovingCovers& covers) {
     target_.bindForDrawing(mapSize, mapSize);
     glClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, nobody.data());
     glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &farthest);
-    covers.draw(programs_, "techniques/temporal/published_nearest.frag", {});
+    covers.draw(programs_, "techniques/temporal/published_nearest.frag", {}, {});
 
     target_.attach(GL_COLOR_ATTACHMENT0, *overlap_);
     target_.bindForDrawing(mapSize, mapSize);
     glClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, nobody.data());
     glDepthFunc(GL_ALWAYS);
-    nearest_->bind(TUPLE_COVERAGE_UNIT);
-    covers.draw(programs_, "techniques/temporal/published_overlap.frag", {});
+    covers.draw(programs_, "techniques/temporal/published_overlap.frag", {},
+                gl::Inputs().texture("nearestMap", *nearest_));
 
     // A pass may not read what it writes: the third reads the second's result and writes a copy.
     glCopyImageSubData(overlap_->name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, coverage_->name(), GL_TEXTURE_2D_ARRAY, 0, 0,
@@ -44,8 +44,8 @@ void PublishedCoverage::draw(int mapSize, const MovingCovers& covers) {
     target_.bindForDrawing(mapSize, mapSize);
     glDepthFunc(GL_GREATER);
     glDepthMask(GL_FALSE);
-    overlap_->bind(TUPLE_COVERAGE_UNIT);
-    covers.draw(programs_, "techniques/temporal/published_reset.frag", {});
+    covers.draw(programs_, "techniques/temporal/published_reset.frag", {},
+                gl::Inputs().texture("overlapMap", *overlap_));
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
 }

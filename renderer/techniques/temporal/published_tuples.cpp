@@ -29,11 +29,12 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
     covers_.set(frame.plan, moving);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl::ShaderDefines defines;
+    gl::Inputs inputs;
     if (coverageMap) {
         const auto timed = frame.timer.scope("build/coverage");
         if (!coverage_) coverage_.emplace(programs_);
         coverage_->draw(size, covers_);
-        coverage_->map().bind(TUPLE_COVERAGE_UNIT);
+        inputs.texture("coverageMap", coverage_->map());
         defines.emplace_back("COVERAGE_MAP", "1");
     } else {
         coverage_.reset();
@@ -56,7 +57,8 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
         tuples_.bindForWriting(LINKED_TUPLES_BINDING);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TUPLE_COUNTS_BINDING, counts_.name());
         target_.bindForDrawing(size, size);
-        covers_.draw(programs_, "techniques/temporal/published_tuples.frag", defines, static_cast<GLuint>(room));
+        covers_.draw(programs_, "techniques/temporal/published_tuples.frag", defines,
+                     gl::Inputs(inputs).set("capacity", static_cast<std::uint32_t>(room)));
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
         glGetNamedBufferSubData(counts_.name(), 0, sizeof found, &found);
         if (found.tuples <= room) break;
@@ -64,10 +66,9 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
     count_ = found.tuples;
 }
 
-void PublishedTuples::bind() const {
-    heads_.bindForReading(TUPLE_OFFSETS_UNIT);
-    tuples_.bindForReading(TUPLE_TIMES_UNIT);
-    if (coverage_) coverage_->map().bind(TUPLE_COVERAGE_UNIT);
+void PublishedTuples::addInputs(gl::Inputs& inputs) const {
+    inputs.texture("tupleHeads", heads_.texels()).texture("linkedTuples", tuples_.texels());
+    if (coverage_) inputs.texture("coverageMap", coverage_->map());
 }
 
 TupleCounts PublishedTuples::counts() const {

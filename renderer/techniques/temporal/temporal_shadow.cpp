@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "plan/light_motion.h"
+#include "technique/technique_entry.h"
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/exact_tuples.h"
 #include "techniques/temporal/published_tuples.h"
@@ -12,11 +13,21 @@
 namespace timeshade {
 
 const TechniqueDescription& TemporalShadow::describe() {
-    static const TechniqueDescription description{"temporal", "Temporal shadow maps",
-                                                  "Lists, per map texel, of when each moving triangle is there and how "
-                                                  "far away: each triangle is drawn once for the whole shutter, "
-                                                  "memory grows with what moves.",
-                                                  "Hong and Oh 2017"};
+    static const TechniqueDescription description{
+        .name = "temporal",
+        .title = "Temporal shadow maps",
+        .shortTitle = "Temporal",
+        .summary =
+            "Lists, per map texel, of when each moving triangle is there and how far away: each triangle is drawn once "
+            "for the whole shutter, memory grows with what moves.",
+        .source = "Hong and Oh 2017",
+        .wrong = "Space, not time: a texel answers for its centre, so that edges follow the map's grid.",
+        .look =
+            "pillars, camera between, map 256: steps along the edges, but no noise; its view of list lengths shows "
+            "what it pays for.",
+        .picture = "pillars, left temporal with a map of 256, right ground truth.",
+        .references = {"M. Hong, K. Oh 2017: Efficient motion blurred shadows using a temporal shadow map."},
+    };
     return description;
 }
 
@@ -87,10 +98,9 @@ void TemporalShadow::build(const TechniqueFrame& frame) {
     builtAsPublished_ = asPublished_;
     {
         const auto timed = frame.timer.scope("build/static map");
-        // The published form draws what moves by a rasteriser's rules, the repaired one by texels' middles.
-        if (!staticMap_ || otherForm)
-            staticMap_.emplace(programs_, asPublished_ ? StaticMap::Coverage::Rasterized : StaticMap::Coverage::Exact);
-        staticMap_->draw(frame.plan, frame.mesh);
+        // The published form draws what is dynamic by a rasteriser's rules, the repaired one by texels' centres.
+        staticMap_ =
+            &frame.maps.ofStaticCasters(asPublished_ ? LightMaps::Coverage::Rasterized : LightMaps::Coverage::Exact);
     }
     near_.set(motion.nearPlane);
     const std::vector<std::uint32_t> triangles = listed(frame.plan);
@@ -119,29 +129,20 @@ void TemporalShadow::buildLists(const TechniqueFrame& frame, const std::vector<s
     lists_->build(frame, triangles, coverageMap_);
 }
 
-gl::ShaderDefines TemporalShadow::lookupDefines(const FramePlan& plan) const {
-    gl::ShaderDefines defines = viewDefines(plan);
-    if (builtAsPublished_) defines.emplace_back("AS_PUBLISHED", "1");
-    return defines;
-}
-
-void TemporalShadow::lookup(const TechniqueFrame& frame) {
-    frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
-        for (const auto& define : lookupDefines(frame.plan)) defines.push_back(define);
-        if (lists_) defines.emplace_back("DYNAMIC_TRIANGLES", "1");
-        if (lists_ && builtWithCoverage_) defines.emplace_back("COVERAGE_MAP", "1");
-        const bool nearOnes = !builtAsPublished_ && near_.count() > 0;
-        if (nearOnes) defines.emplace_back("NEAR_TRIANGLES", "1");
-        const gl::Program& program =
-            programs_.get({"temporal lookup", "passes/fullscreen.vert", "techniques/temporal/lookup.frag", defines});
-        program.use();
-        glUniform1f(2, bias_);
-        glUniform1f(3, slopeBias_);
-        if (nearOnes) near_.bind();
-        staticMap_->depth().bind(TUPLE_STATIC_UNIT);
-        if (lists_) lists_->bind();
-        return program;
-    });
+LookupProgram TemporalShadow::lookupProgram(const TechniqueFrame&, Casters) {
+    LookupProgram lookup{"temporal lookup", "techniques/temporal/lookup.frag", {}, {}};
+    if (builtAsPublished_) lookup.defines.emplace_back("AS_PUBLISHED", "1");
+    lookup.inputs.texture("staticMap", *staticMap_);
+    if (lists_) {
+        lookup.defines.emplace_back("DYNAMIC_TRIANGLES", "1");
+        if (builtWithCoverage_) lookup.defines.emplace_back("COVERAGE_MAP", "1");
+        lists_->addInputs(lookup.inputs);
+    }
+    if (!builtAsPublished_ && near_.count() > 0) {
+        lookup.defines.emplace_back("NEAR_TRIANGLES", "1");
+        near_.addInputs(lookup.inputs);
+    }
+    return lookup;
 }
 
 std::vector<TechniqueView> TemporalShadow::views() const {
@@ -152,12 +153,15 @@ std::vector<TechniqueView> TemporalShadow::views() const {
 void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
     if (name != "tuples" && name != "time") return Technique::drawView(frame, name, values);
     if (!lists_) buildLists(frame, listed(frame.plan));  // empty ones, to be looked at
-    gl::ShaderDefines defines = lookupDefines(frame.plan);
+    gl::ShaderDefines defines = frame.defines();
+    if (builtAsPublished_) defines.emplace_back("AS_PUBLISHED", "1");
     if (name == "time") defines.emplace_back("VIEW_TIME", "1");
     const gl::Program& program =
         programs_.get({"temporal view", "passes/fullscreen.vert", "techniques/temporal/view.frag", defines});
+    gl::Inputs inputs;
+    lists_->addInputs(inputs);
+    program.use(inputs);
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    lists_->bind();
     if (!viewTarget_) viewTarget_.emplace("temporal view target");
     viewTarget_->setColorCount(1);
     viewTarget_->attach(GL_COLOR_ATTACHMENT0, values);
@@ -187,7 +191,7 @@ std::vector<TechniqueStatistic> TemporalShadow::statistics() const {
         statistics.push_back({"covered texels", number(counts.coveredTexels), "texels", ""});
         statistics.push_back({"tuples skipped", number(counts.skippedTuples), "", ""});
     }
-    statistics.push_back({"memory", number(bytes()), "bytes", ""});
+    statistics.push_back({"memory", number(bytes() + staticMap_->bytes()), "bytes", ""});
     statistics.push_back({"memory predicted",
                           number(counts.predictedBytes + staticMap_->bytes() + near_.count() * sizeof(std::uint32_t)),
                           "bytes", ""});
@@ -195,15 +199,11 @@ std::vector<TechniqueStatistic> TemporalShadow::statistics() const {
 }
 
 std::vector<const gl::Texture*> TemporalShadow::textures() const {
-    if (!staticMap_ || !staticMap_->drawn()) return {};
-    std::vector<const gl::Texture*> all{&staticMap_->depth()};
-    if (lists_)
-        for (const gl::Texture* texture : lists_->textures()) all.push_back(texture);
-    return all;
+    return lists_ ? lists_->textures() : std::vector<const gl::Texture*>{};
 }
 
-std::size_t TemporalShadow::bytes() const {
-    return (lists_ ? lists_->bytes() : 0) + (staticMap_ ? staticMap_->bytes() : 0) + near_.bytes();
-}
+std::size_t TemporalShadow::bytes() const { return (lists_ ? lists_->bytes() : 0) + near_.bytes(); }
+
+TechniqueEntry temporalTechnique() { return entryOf<TemporalShadow>(); }
 
 }  // namespace timeshade

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "passes/near_triangles.h"
-#include "passes/static_map.h"
 #include "technique/technique.h"
 #include "techniques/temporal/tuple_lists.h"
 
@@ -20,14 +19,14 @@ namespace timeshade {
 class TemporalShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
-    explicit TemporalShadow(gl::ProgramCache& programs) : programs_(programs) {}
+    explicit TemporalShadow(gl::ProgramCache& programs) : programs_(programs) { resetSettings(*this); }
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
     SamplingTraits samplingTraits() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
-    void lookup(const TechniqueFrame& frame) override;
+    LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
     std::vector<TechniqueStatistic> statistics() const override;
@@ -38,15 +37,14 @@ class TemporalShadow final : public Technique {
     /// The plan's casters that have tuples, by the form's own way.
     std::vector<std::uint32_t> listed(const FramePlan& plan) const;
     void buildLists(const TechniqueFrame& frame, const std::vector<std::uint32_t>& triangles);
-    gl::ShaderDefines lookupDefines(const FramePlan& plan) const;
 
     gl::ProgramCache& programs_;
-    float bias_ = 0.5f, slopeBias_ = 1.0f;
-    bool asPublished_ = false, coverageMap_ = false;
+    float bias_{}, slopeBias_{};
+    bool asPublished_{}, coverageMap_{};
 
     bool builtAsPublished_ = false, builtWithCoverage_ = false;
     std::unique_ptr<TupleLists> lists_;
-    std::optional<StaticMap> staticMap_;
+    const gl::Texture* staticMap_ = nullptr;  ///< the frame's
     NearTriangles near_;
     std::size_t staticCasters_ = 0, moving_ = 0, nonTranslating_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;

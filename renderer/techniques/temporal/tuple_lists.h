@@ -27,8 +27,8 @@ class TupleLists {
 
     /// Draws the moving triangles `moving` (ascending).
     virtual void build(const TechniqueFrame& frame, const std::vector<std::uint32_t>& moving, bool coverageMap) = 0;
-    /// Binds what lookup and views read.
-    virtual void bind() const = 0;
+    /// Adds what lookup and views read.
+    virtual void addInputs(gl::Inputs& inputs) const = 0;
     /// Reads the lists back: waits for the device.
     virtual TupleCounts counts() const = 0;
     virtual std::vector<const gl::Texture*> textures() const = 0;

@@ -2,14 +2,28 @@
 
 #include <fmt/format.h>
 
+#include "technique/technique_entry.h"
 namespace timeshade {
 
 const TechniqueDescription& TsmShadow::describe() {
     static const TechniqueDescription description{
-        "tsm", "Time-dependent shadow maps (TSM)",
-        "One stochastic map layer per stratum of the shutter: right in the mean for slow casters, noisy, and receivers "
-        "that move towards the light shadow themselves.",
-        "Akenine-Moller, Munkberg, Hasselgren 2007; dynamic bias: Andersson et al. 2015, eq. 12"};
+        .name = "tsm",
+        .title = "Time-dependent shadow maps",
+        .shortTitle = "TSM",
+        .summary =
+            "One stochastic map layer per stratum of the shutter: right in the mean for slow casters, noisy, and "
+            "receivers that move towards the light shadow themselves.",
+        .source = "Akenine-Moller, Munkberg, Hasselgren 2007; dynamic bias: Andersson et al. 2015, eq. 12",
+        .wrong =
+            "Noise, which more samples end. A receiver that approaches the light within a stratum shadows itself: map "
+            "and camera sample look at different times.",
+        .look = "pillars: everything lit is speckled; switch dynamic bias on and the speckles go.",
+        .picture = "pillars, left TSM, right ground truth: speckles, and noise along the edges.",
+        .references = {"T. Akenine-Moller, J. Munkberg, J. Hasselgren 2007: Stochastic rasterization using "
+                       "time-continuous triangles. Graphics Hardware.",
+                       "M. Andersson, J. Hasselgren, J. Munkberg, T. Akenine-Moller 2015: Filtered stochastic shadow "
+                       "mapping using a layered approach. Computer Graphics Forum."},
+    };
     return description;
 }
 
@@ -57,8 +71,7 @@ std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {
 void TsmShadow::build(const TechniqueFrame& frame) {
     {
         const auto timed = frame.timer.scope("build/static map");
-        if (!still_) still_.emplace(programs_, StaticMap::Coverage::Exact);
-        still_->draw(frame.plan, frame.mesh);
+        staticMap_ = &frame.maps.ofStaticCasters(LightMaps::Coverage::Exact);
     }
     if (frame.plan.light.dynamicTriangles.empty()) {
         depth_.reset();
@@ -83,34 +96,30 @@ void TsmShadow::build(const TechniqueFrame& frame) {
                       frame.plan.block.strata, velocity_ ? &*velocity_ : nullptr, *depth_);
 }
 
-void TsmShadow::lookup(const TechniqueFrame& frame) {
-    frame.lookup.draw(frame, [&](gl::ShaderDefines defines) -> const gl::Program& {
-        for (const auto& define : viewDefines(frame.plan)) defines.push_back(define);
-        if (depth_) defines.emplace_back("DYNAMIC_CASTERS", "1");
-        if (dynamicBias_) defines.emplace_back("DYNAMIC_BIAS", "1");
-        const gl::Program& program =
-            programs_.get({"tsm lookup", "passes/fullscreen.vert", "techniques/tsm/lookup.frag", defines});
-        program.use();
-        glUniform1f(2, bias_);
-        glUniform1f(3, slopeBias_);
-        if (depth_) depth_->bind(TECHNIQUE_UNIT);
-        if (velocity_) velocity_->bind(TECHNIQUE_UNIT + 1);
-        still_->depth().bind(TECHNIQUE_UNIT + 2);
-        return program;
-    });
+LookupProgram TsmShadow::lookupProgram(const TechniqueFrame&, Casters) {
+    LookupProgram lookup{"tsm lookup", "techniques/tsm/lookup.frag", {}, {}};
+    lookup.inputs.texture("staticMap", *staticMap_);
+    if (depth_) {
+        lookup.defines.emplace_back("DYNAMIC_CASTERS", "1");
+        lookup.inputs.texture("depthMap", *depth_);
+    }
+    if (dynamicBias_) lookup.defines.emplace_back("DYNAMIC_BIAS", "1");
+    if (velocity_) lookup.inputs.texture("velocityMap", *velocity_);
+    return lookup;
 }
 
 std::vector<const gl::Texture*> TsmShadow::textures() const {
     std::vector<const gl::Texture*> all;
     for (const auto* texture : {&depth_, &velocity_})
         if (*texture) all.push_back(&**texture);
-    if (still_ && still_->drawn()) all.push_back(&still_->depth());
     return all;
 }
 
 std::size_t TsmShadow::bytes() const {
     return (depth_ ? depth_->bytes() : 0) + (velocity_ ? velocity_->bytes() : 0) +
-           (rasterizer_ ? rasterizer_->bytes() : 0) + (still_ ? still_->bytes() : 0);
+           (rasterizer_ ? rasterizer_->bytes() : 0);
 }
+
+TechniqueEntry tsmTechnique() { return entryOf<TsmShadow>(); }
 
 }  // namespace timeshade

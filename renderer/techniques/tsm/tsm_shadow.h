@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "passes/static_map.h"
 #include "passes/stochastic_rasterizer.h"
 #include "technique/technique.h"
 
@@ -20,24 +19,24 @@ namespace timeshade {
 class TsmShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
-    explicit TsmShadow(gl::ProgramCache& programs) : programs_(programs) {}
+    explicit TsmShadow(gl::ProgramCache& programs) : programs_(programs) { resetSettings(*this); }
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
     SamplingTraits samplingTraits() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
-    void lookup(const TechniqueFrame& frame) override;
+    LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;
 
   private:
     gl::ProgramCache& programs_;
-    float bias_ = 0.5f, slopeBias_ = 1.0f;
-    bool dynamicBias_ = false;
+    float bias_{}, slopeBias_{};
+    bool dynamicBias_{};
     std::optional<StochasticRasterizer> rasterizer_;
     std::optional<gl::Texture> depth_, velocity_;
-    std::optional<StaticMap> still_;
+    const gl::Texture* staticMap_ = nullptr;  ///< the frame's
 };
 
 }  // namespace timeshade

@@ -7,9 +7,9 @@
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
 layout(binding = LARGE_TRIANGLES_UNIT) uniform usamplerBuffer casters;  // triangles that may cast a shadow
-layout(location = 0) uniform uint gridSide;   // cells along a side
-layout(location = 1) uniform uint buckets;    // of the shutter
-layout(location = 3) uniform uint items;      // casters times buckets
+uniform uint gridSide;   // cells along a side
+uniform uint buckets;    // of the shutter
+uniform uint items;      // casters times buckets
 
 #ifdef FILL
 layout(std430, binding = TECHNIQUE_STORAGE_BINDING) writeonly buffer Candidates { uint candidates[]; };

@@ -5,13 +5,13 @@
 #include "shared/segment_triangle.shared.h"
 #include "techniques/exact/least_depth.glsl"
 
-layout(binding = TECHNIQUE_UNIT) uniform usamplerBuffer movingOffsets;
-layout(binding = TECHNIQUE_UNIT + 1) uniform usamplerBuffer movingCandidates;  // triangle, where it is
-layout(binding = TECHNIQUE_UNIT + 2) uniform usamplerBuffer staticOffsets;
-layout(binding = TECHNIQUE_UNIT + 3) uniform usamplerBuffer staticCandidates;
-layout(location = 1) uniform uint movingSide;
-layout(location = 2) uniform uint buckets;
-layout(location = 3) uniform uint staticSide;
+uniform usamplerBuffer dynamicOffsets;
+uniform usamplerBuffer dynamicCandidates;  // triangle, where it is
+uniform usamplerBuffer staticOffsets;
+uniform usamplerBuffer staticCandidates;
+uniform uint dynamicSide;
+uniform uint buckets;
+uniform uint staticSide;
 
 #ifdef STATIC_CASTERS_TRAVEL
 const bool staticCastersTravel = true;
@@ -88,7 +88,7 @@ float litOf(MovingTriangle t, Receiver r) {
     // First what moves, in the receiver's own bucket of time; then what stands still.
 #if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
     uint bucket = min(uint(r.time * float(buckets)), buckets - 1u);
-    shadowed = shadowedByList(movingOffsets, movingCandidates, movingSide, bucket, true, r, m, toLight);
+    shadowed = shadowedByList(dynamicOffsets, dynamicCandidates, dynamicSide, bucket, true, r, m, toLight);
 #endif
 #ifdef STATIC_TRIANGLES
     if (!shadowed) shadowed = shadowedByList(staticOffsets, staticCandidates, staticSide, 0u, staticCastersTravel, r, m, toLight);
@@ -97,7 +97,7 @@ float litOf(MovingTriangle t, Receiver r) {
 }
 
 #ifdef VIEW_CANDIDATES
-layout(location = 4) uniform float share;  // of a sample in its pixel
+uniform float share;  // of a sample in its pixel
 layout(location = 0) out float outputTested;
 
 void main() {

@@ -7,7 +7,7 @@ layout(std430, binding = TECHNIQUE_STORAGE_BINDING + 1) buffer Queue {
     uint queued;
     uint queue[];
 };
-layout(location = 5) uniform uint maxWalk;  // cells
+uniform uint maxWalk;  // cells
 
 void main() {
     uint item = gl_GlobalInvocationID.x;

@@ -2,7 +2,7 @@
 // shutter to the closing of this one's, at its least distance from the light. One texel wider than need be.
 #include "techniques/history/blocks.glsl"
 
-layout(binding = PREVIOUS_POSITIONS_UNIT) uniform samplerBuffer previousPositions;
+uniform samplerBuffer previousPositions;
 layout(binding = LARGE_TRIANGLES_UNIT) uniform usamplerBuffer dynamicCasters;
 
 out gl_PerVertex { vec4 gl_Position; };

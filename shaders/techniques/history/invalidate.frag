@@ -4,8 +4,8 @@
 #include "techniques/history/blocks.glsl"
 #include "techniques/history/texel.glsl"
 
-layout(binding = PAST_UNIT) uniform sampler2D past;
-layout(binding = RETEST_UNIT) uniform usampler2D hasConverged;
+uniform sampler2D past;
+uniform usampler2D periods;
 
 const uint CELL_MASK = uint(RETEST_SIDE - 1);
 ivec2 firstCell(uint rest) { return ivec2(rest & CELL_MASK, (rest >> RETEST_CELL_BITS) & CELL_MASK); }
@@ -14,11 +14,11 @@ ivec2 lastCell(uint rest) { return ivec2((rest >> (2 * RETEST_CELL_BITS)) & CELL
 bool isNowhere(uint rest) { return any(lessThan(lastCell(rest), firstCell(rest))); }
 
 #ifdef DYNAMIC_CASTERS
-layout(binding = DYNAMIC_MASK_UNIT) uniform sampler2DArray dynamicMask;
+uniform sampler2DArray dynamicMask;
 #ifdef DYNAMIC_SEEN
-layout(binding = DYNAMIC_PIXELS_UNIT) uniform sampler2D dynamicPixels;
+uniform sampler2D dynamicPixels;
 #else
-layout(binding = DYNAMIC_FLAGS_UNIT) uniform usamplerBuffer dynamicFlags;
+uniform usamplerBuffer dynamicFlags;
 #endif
 
 const int MAX_WALK = 16;  // texels along a side: a pixel on a silhouette may hold places far apart
@@ -57,7 +57,7 @@ uint numberOf(uvec2 tile) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uint rest = texelFetch(hasConverged, pixel, 0).x, period = rest >> RETEST_PERIOD_SHIFT;
+    uint rest = texelFetch(periods, pixel, 0).x, period = rest >> RETEST_PERIOD_SHIFT;
     vec4 h = texelFetch(past, pixel, 0);
     bool asked = !plausible(h) && !(isNowhere(rest) && h == vec4(0.0));
     if (period != RETEST_NEVER) asked = asked || ((history.round + numberOf(uvec2(pixel) / uint(RETEST_TILE))) & ((1u << period) - 1u)) < history.framesDue;

@@ -7,13 +7,13 @@
 
 layout(early_fragment_tests) in;  // or pixels that rest would be drawn
 
-layout(binding = PAST_UNIT) uniform sampler2D past;
+uniform sampler2D past;
 #ifdef MOVED
-layout(binding = PREVIOUS_POSITIONS_UNIT) uniform samplerBuffer previousPositions;
-layout(binding = DYNAMIC_MASK_UNIT) uniform sampler2DArray dynamicMask;
-layout(binding = DYNAMIC_FLAGS_UNIT) uniform usamplerBuffer dynamicFlags;
+uniform samplerBuffer previousPositions;
+uniform sampler2DArray dynamicMask;
+uniform usamplerBuffer dynamicFlags;
 #endif
-layout(r32f, binding = 0) uniform image2DArray visibility;
+layout(r32f) uniform image2DArray visibility;
 
 layout(location = 0) out vec4 outputHistory;
 #ifdef TRIES_TRIANGLES
@@ -51,7 +51,7 @@ bool moves(uint id) { return history.dynamicMaskSize > 0.0 && texelFetch(dynamic
 // published only the camera is followed, and the distance is compared; else every one of the four texels must have seen
 // the receiver's plane.
 vec4 reprojected(Seen seen, uvec2 pixel, out bool receiverMoves) {
-    bool published = history.asPublished != 0u;
+    bool published = setting.as_published;
     float u = seen.receiver.time;
     MovingTriangle before = fetchTriangle(seen.id);
     if (!published) before = fetchPrevious(seen.id);
@@ -188,7 +188,7 @@ void main() {
             // Its way through the light is unknown: the past may stay as long as the test agrees with it.
             if (!(abs(before.x - lit * before.y) <= 0.02 * before.y)) before = vec4(0.0);
             before.xy *= min(1.0, 2.0 / max(before.y, 1e-12));
-        } else if (dynamicPixels && history.asPublished == 0u) {
+        } else if (dynamicPixels && !setting.as_published) {
             before = vec4(0.0);
         }
 #else
@@ -199,7 +199,7 @@ void main() {
 
     bool hasPast = before.y > 0.0;
     float shown = lit;
-    if (history.asPublished != 0u) {
+    if (setting.as_published) {
         shown = hasPast ? smoothed(before.x, lit, weight) : lit;
         outputHistory.xy = vec2(unpackHalf2x16(packHalf2x16(vec2(shown, 0.0))).x, 1.0);
         shown = outputHistory.x;

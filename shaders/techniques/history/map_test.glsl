@@ -3,9 +3,9 @@
 #include "techniques/history/blocks.glsl"
 #include "shared/segment_triangle.shared.h"
 
-layout(binding = SHADOW_MAP_UNIT) uniform sampler2DArray shadowMap;
+uniform sampler2DArray shadowMap;
 #ifdef TRIES_TRIANGLES
-layout(binding = MAP_TRIANGLES_UNIT) uniform usampler2DArray mapTriangles;
+uniform usampler2DArray mapTriangles;
 #endif
 
 struct ShadowTest {
@@ -110,7 +110,7 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
         before -= caster;
         // What is proven needs no bias, so that contacts are right.
         if (before <= 0.0) continue;
-        if (before > history.bias * p.m.texel) {
+        if (before > setting.bias * p.m.texel) {
             ++nearer;
             test.sure = false;
         }
@@ -133,9 +133,9 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
 float litByTexel(WarpedPoint p, ivec2 texel, float publishedDepth) {
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(lightView.size)))) return 1.0;
     float inverseWeight;
-    float planeDepth = planeDepthAtTexel(p, texel, inverseWeight) - history.bias * p.m.texel;
+    float planeDepth = planeDepthAtTexel(p, texel, inverseWeight) - setting.bias * p.m.texel;
     float caster = mapDistance(texelFetch(shadowMap, ivec3(texel, 0), 0).x / inverseWeight);
-    return (history.asPublished != 0u ? publishedDepth : planeDepth) > caster ? 0.0 : 1.0;
+    return (setting.as_published ? publishedDepth : planeDepth) > caster ? 0.0 : 1.0;
 }
 #endif
 
@@ -145,8 +145,8 @@ ShadowTest testShadow(Receiver r, float u) {
     return tryTriangles(r, u, p);
 #else
     ivec2 texel = ivec2(floor(p.texel));
-    int radius = int(history.pcfRadius);
-    float publishedDepth = p.m.depth - depthBias(p.m, history.bias, history.slopeBias * float(2 * radius + 1));
+    int radius = int(setting.pcf_radius);
+    float publishedDepth = p.m.depth - depthBias(p.m, setting.bias, setting.slope_bias * float(2 * radius + 1));
     ShadowTest test;
     test.proven = test.sure = test.guessedDark = false;
     test.place = p.plane.position;

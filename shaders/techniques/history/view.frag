@@ -3,8 +3,8 @@
 #include "techniques/history/map_test.glsl"
 #include "techniques/history/texel.glsl"
 
-layout(binding = PAST_UNIT) uniform sampler2D written;
-layout(location = 0) uniform uint view;
+uniform sampler2D written;
+uniform uint view;
 
 layout(location = 0) out float outputValue;
 

@@ -1,10 +1,10 @@
 // The repaired form's ranges: of each texel all in a row, a field an array; included by lists.glsl.
-layout(binding = RANGES_OFFSETS_UNIT) uniform usamplerBuffer listOffsets;
+uniform usamplerBuffer listOffsets;
 // A range is two places of each array, its beginning and its end: one texel.
-layout(binding = RANGES_TIMES_UNIT) uniform samplerBuffer rangeTimes;
-layout(binding = RANGES_DISTANCES_UNIT) uniform samplerBuffer rangeDistances;
-layout(binding = RANGES_SLOPES_UNIT) uniform usamplerBuffer rangeSlopes;  // of time and distance at the beginning, at the end
-layout(binding = RANGES_IDS_UNIT) uniform usamplerBuffer rangeIds;
+uniform samplerBuffer rangeTimes;
+uniform samplerBuffer rangeDistances;
+uniform usamplerBuffer rangeSlopes;  // of time and distance at the beginning, at the end
+uniform usamplerBuffer rangeIds;
 
 // First range of the texel's list, and the one behind its last.
 ivec2 listOf(ivec2 texel) {

@@ -15,7 +15,7 @@ layout(std430, binding = RANGES_COUNTS_BINDING) buffer RangeCounts {
     uint sparePlaces;   // of lists whose number of fragments is odd
     uint emptyRanges;
 };
-layout(location = 0) uniform uint texels;
+uniform uint texels;
 
 bool before(uint idA, float timeA, float distanceA, uint idB, float timeB, float distanceB) {
     if (idA != idB) return idA < idB;

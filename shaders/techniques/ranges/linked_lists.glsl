@@ -1,6 +1,6 @@
 // The published form's ranges: a linked list a texel, RANGE_WORDS words a range; included by lists.glsl.
-layout(binding = RANGES_OFFSETS_UNIT) uniform usamplerBuffer rangeHeads;
-layout(binding = RANGES_TIMES_UNIT) uniform usamplerBuffer ranges;
+uniform usamplerBuffer rangeHeads;
+uniform usamplerBuffer ranges;
 
 struct Range { float begin; float end; float depthBegin; float depthEnd; uint id; uint next; };
 

@@ -6,20 +6,18 @@
 #include "techniques/ranges/lists.glsl"
 
 #ifdef STATIC_TRIANGLES
-layout(binding = RANGES_STATIC_UNIT) uniform sampler2DArray staticMap;
+uniform sampler2DArray staticMap;
 #endif
 #ifdef NEAR_TRIANGLES
 #include "lib/near_triangles.glsl"
-layout(location = 4) uniform int nearCount;
+uniform int nearCount;
 #endif
-layout(location = 2) uniform float bias;
-layout(location = 3) uniform float slopeBias;
 
 float litOf(MovingTriangle t, Receiver r) {
     MapPoint m = mapPointOf(r, r.time);
     ivec2 texel;
     if (texelOf(m, texel)) {
-        float depth = m.depth - depthBias(m, bias, slopeBias);
+        float depth = m.depth - depthBias(m, setting.bias, setting.slope_bias);
 #ifdef STATIC_TRIANGLES
         if (depth > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return 0.0;
 #endif

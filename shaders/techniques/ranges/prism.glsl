@@ -2,7 +2,7 @@
 #include "lib/blocks.glsl"
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
-layout(binding = TECHNIQUE_UNIT) uniform usamplerBuffer prismTriangles;  // numbers of the triangles that have a prism
+uniform usamplerBuffer prismTriangles;  // numbers of the triangles that have a prism
 
 // View coordinates of the light, linear in u.
 struct Prism { vec3 open[3]; vec3 close[3]; };

@@ -5,7 +5,7 @@
 
 layout(std430, binding = LINKED_HEADS_BINDING) buffer FragmentHeads { uint fragmentHeads[]; };
 layout(std430, binding = LINKED_FRAGMENTS_BINDING) writeonly buffer Fragments { uvec4 fragments[]; };
-layout(location = 0) uniform uint capacity;
+uniform uint capacity;
 
 noperspective in float prismTime;
 flat in uint prismId;

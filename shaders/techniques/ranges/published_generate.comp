@@ -10,7 +10,7 @@ layout(std430, binding = LINKED_RANGE_HEADS_BINDING) writeonly buffer RangeHeads
 layout(std430, binding = LINKED_RANGES_BINDING) writeonly buffer Ranges { uint ranges[]; };
 
 layout(local_size_x = 64) in;
-layout(location = 0) uniform uint texels;
+uniform uint texels;
 
 struct Visit { float depth; float time; };
 

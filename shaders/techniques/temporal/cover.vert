@@ -6,7 +6,7 @@
 #include "techniques/temporal/bindings.shared.h"
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
-layout(binding = COVER_TRIANGLES_UNIT) uniform usamplerBuffer coverTriangles;
+uniform usamplerBuffer coverTriangles;
 
 out gl_PerVertex {
     vec4 gl_Position;

@@ -1,7 +1,7 @@
 // The coverage map of the repaired form: how far away, at the most, the nearest triangle ever is that covers the texel's centre all
 // through the shutter. Far beyond everything where there is none. Whatever lies behind it changes nothing: a receiver behind is in
 // that triangle's shadow, and a receiver in front (the triangle itself, all over the texel) cannot be shadowed from behind.
-layout(binding = TUPLE_COVERAGE_UNIT) uniform sampler2DArray coverageMap;
+uniform sampler2DArray coverageMap;
 
 float coverageDistance(ivec2 texel) {
     float stored = texelFetch(coverageMap, ivec3(texel, 0), 0).x;

@@ -15,7 +15,7 @@ layout(std430, binding = TUPLE_COUNTS_BINDING) buffer TupleCounts { uint skipped
 layout(std430, binding = TUPLE_TIMES_BINDING) writeonly buffer TupleTimes { vec2 tupleTimes[]; };
 layout(std430, binding = TUPLE_DEPTHS_BINDING) writeonly buffer TupleDepths { vec2 tupleDepths[]; };
 layout(std430, binding = TUPLE_IDS_BINDING) writeonly buffer TupleIds { uint tupleIds[]; };
-layout(location = 0) uniform uint filling;
+uniform uint filling;
 
 #ifdef COVERAGE_MAP
 #define NEEDS_DEPTHS true

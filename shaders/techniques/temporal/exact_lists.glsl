@@ -1,8 +1,8 @@
 // Lists of exact size, an array per field.
-layout(binding = TUPLE_OFFSETS_UNIT) uniform usamplerBuffer tupleOffsets;
-layout(binding = TUPLE_TIMES_UNIT) uniform samplerBuffer tupleTimes;
-layout(binding = TUPLE_DEPTHS_UNIT) uniform samplerBuffer tupleDepths;
-layout(binding = TUPLE_IDS_UNIT) uniform usamplerBuffer tupleIds;
+uniform usamplerBuffer tupleOffsets;
+uniform samplerBuffer tupleTimes;
+uniform samplerBuffer tupleDepths;
+uniform usamplerBuffer tupleIds;
 #ifdef COVERAGE_MAP
 #include "techniques/temporal/coverage.glsl"
 #endif

@@ -6,18 +6,16 @@
 #include "techniques/temporal/lists.glsl"
 #ifdef NEAR_TRIANGLES
 #include "lib/near_triangles.glsl"
-layout(location = 4) uniform int nearCount;
+uniform int nearCount;
 #endif
 
-layout(binding = TUPLE_STATIC_UNIT) uniform sampler2DArray staticMap;
-layout(location = 2) uniform float bias;
-layout(location = 3) uniform float slopeBias;
+uniform sampler2DArray staticMap;
 
 float litOf(MovingTriangle t, Receiver r) {
     MapPoint m = mapPointOf(r, r.time);
     ivec2 texel;
     if (texelOf(m, texel)) {
-        float depth = m.depth - depthBias(m, bias, slopeBias);
+        float depth = m.depth - depthBias(m, setting.bias, setting.slope_bias);
         if (depth > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return 0.0;
 #if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
         if (nearerThan(depth, texel, r.triangle, r.time)) return 0.0;

@@ -1,9 +1,9 @@
 // Linked lists of tuples, six words each: begin, end, window depth at begin and at end, triangle, next. The window depth of
 // a spot is near / distance; the usual depth is a linear function of it, and so is what lies between two of either.
-layout(binding = TUPLE_OFFSETS_UNIT) uniform usamplerBuffer tupleHeads;
-layout(binding = TUPLE_TIMES_UNIT) uniform usamplerBuffer linkedTuples;
+uniform usamplerBuffer tupleHeads;
+uniform usamplerBuffer linkedTuples;
 #ifdef COVERAGE_MAP
-layout(binding = TUPLE_COVERAGE_UNIT) uniform sampler2DArray coverageMap;
+uniform sampler2DArray coverageMap;
 #endif
 
 uint wordOf(uint tuple, int word) { return texelFetch(linkedTuples, int(tuple) * LINKED_TUPLE_WORDS + word).x; }

@@ -4,7 +4,7 @@
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/published_prism.glsl"
 
-layout(binding = TUPLE_COVERAGE_UNIT) uniform sampler2DArray nearestMap;
+uniform sampler2DArray nearestMap;
 
 layout(location = 0) out float coverage;
 

@@ -2,7 +2,7 @@
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/published_prism.glsl"
 
-layout(binding = TUPLE_COVERAGE_UNIT) uniform sampler2DArray overlapMap;
+uniform sampler2DArray overlapMap;
 
 layout(location = 0) out float coverage;
 

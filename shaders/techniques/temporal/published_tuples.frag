@@ -6,9 +6,9 @@
 layout(std430, binding = LINKED_HEADS_BINDING) buffer Heads { uint heads[]; };
 layout(std430, binding = LINKED_TUPLES_BINDING) writeonly buffer Tuples { uint tuples[]; };
 layout(std430, binding = TUPLE_COUNTS_BINDING) buffer Counts { uint tupleCount; uint skippedTuples; };
-layout(location = 0) uniform uint capacity;
+uniform uint capacity;
 #ifdef COVERAGE_MAP
-layout(binding = TUPLE_COVERAGE_UNIT) uniform sampler2DArray coverageMap;
+uniform sampler2DArray coverageMap;
 #endif
 
 void main() {

@@ -6,19 +6,17 @@
 // DYNAMIC_CASTERS: there are such.
 #include "lib/lookup.glsl"
 
-layout(binding = TECHNIQUE_UNIT) uniform sampler2DArray depthMap;
-layout(binding = TECHNIQUE_UNIT + 2) uniform sampler2DArray staticMap;
+uniform sampler2DArray depthMap;
+uniform sampler2DArray staticMap;
 #ifdef DYNAMIC_BIAS
-layout(binding = TECHNIQUE_UNIT + 1) uniform sampler2DArray velocityMap;
+uniform sampler2DArray velocityMap;
 #endif
-layout(location = 2) uniform float bias;
-layout(location = 3) uniform float slopeBias;
 
 float litOf(MovingTriangle t, Receiver r) {
     MapPoint m = mapPointOf(r, r.time);
     ivec2 texel = ivec2(floor(m.position * lightView.size));
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(lightView.size)))) return 1.0;
-    float limit = m.depth - depthBias(m, bias, slopeBias), atCastersTime = limit;
+    float limit = m.depth - depthBias(m, setting.bias, setting.slope_bias), atCastersTime = limit;
 #ifdef DYNAMIC_BIAS
     // Two surfaces that do not pass through each other lie in the same order at both times. A curved one that is compared with itself may
     // seem to lie above itself at one of them, where its plane is carried on too far, but not at both.

@@ -4,7 +4,7 @@
 set -euo pipefail
 
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-run=$here/../../run
+run=$here/../run
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -23,7 +23,7 @@ page() {
     "$run" shot "${both[@]}" --size 640x360 --spp 8 "${left[@]}" -o "$work/left.png"
     "$run" shot "${both[@]}" --size 640x360 --spp 8 "${right[@]}" -o "$work/right.png"
     for side in left right; do convert "$work/$side.png" -crop "224x176+$x+$y" +repage "$work/$side.png"; done
-    convert "$work/left.png" "$work/right.png" +append -dither None -colors 96 -depth 8 -strip -define png:compression-level=9 "$here/$name.png"
+    convert "$work/left.png" "$work/right.png" +append -dither None -colors 96 -depth 8 -strip -define png:compression-level=9 "$here/../renderer/techniques/$name/page.png"
 }
 
 page static 400 130 octopus --camera reef --frame 96 --map 512 -- --technique static -- --technique exact

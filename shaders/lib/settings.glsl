@@ -1,0 +1,5 @@
+// The technique's settings, each under its key: made of their declaration (Technique::visitSettings), so that there is no
+// second list of them.
+#include "lib/blocks.glsl"
+
+layout(std140, binding = TECHNIQUE_SETTINGS_BINDING) uniform TechniqueSettings { TECHNIQUE_SETTINGS } setting;
