@@ -1,6 +1,6 @@
-// Entries of lists, one list a cell (renderer/passes/cell_lists.h). The same call in both passes: while counting it says
-// how many entries of this cell came before, while filling where in the arrays of entries this one belongs. Which entry gets
-// which place of its list depends on the order of execution: readers must not.
+// Entries of lists, one list per cell (renderer/passes/cell_lists.h). The same call in both passes: while counting it
+// returns how many entries of this cell came before, while filling where in the arrays of entries this one belongs.
+// Which entry gets which slot of its list depends on the order of execution: readers must not depend on it.
 #include "shared/frame_blocks.shared.h"
 
 layout(std430, binding = LIST_CURSORS_BINDING) buffer ListCursors { uint listCursors[]; };

@@ -1,6 +1,6 @@
-// How a receiver finds its place and depth in the light's map.
+// How a receiver finds its position and depth in the light's map.
+#include "lib/light_projection.glsl"
 #include "lib/receiver.glsl"
-#include "lib/texel_width.glsl"
 
 struct MapPoint {
     vec2 position;  // in [0, 1] inside the map
@@ -11,7 +11,8 @@ struct MapPoint {
 
 // r must be at time `u`: the map's centre of projection is where the light is then.
 MapPoint mapPointOf(Receiver r, float u) {
-    vec3 v = mix((lightView.viewFromWorldOpen * vec4(r.position, 1.0)).xyz, (lightView.viewFromWorldClose * vec4(r.position, 1.0)).xyz, u);
+    vec3 v = mix(transformed(lightView.viewFromWorldOpen, r.position),
+                 transformed(lightView.viewFromWorldClose, r.position), u);
     mat3 axes = mat3(lightView.viewFromWorldOpen);
     vec3 plane = cross(axes * r.edge1, axes * r.edge2);
     MapPoint m;
@@ -31,19 +32,25 @@ MapPoint mapPointOf(Receiver r, float u) {
     return m;
 }
 
-// How fast the depth of the receiver's plane changes at a fixed place of the map.
+bool insideMap(ivec2 texel) {
+    return all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(lightView.size)));
+}
+
+// The texel that the point lies in; false outside the map.
+bool texelOf(MapPoint m, out ivec2 texel) {
+    texel = ivec2(floor(m.position * lightView.size));
+    return insideMap(texel);
+}
+
+// How fast the depth of the receiver's plane changes at a fixed position of the map.
 float mapDepthRate(MapPoint m, MovingTriangle t, float u) {
-    vec3 a0 = (lightView.viewFromWorldOpen * vec4(t.open0, 1.0)).xyz, d0 = (lightView.viewFromWorldClose * vec4(t.close0, 1.0)).xyz - a0;
-    vec3 a1 = (lightView.viewFromWorldOpen * vec4(t.open1, 1.0)).xyz, d1 = (lightView.viewFromWorldClose * vec4(t.close1, 1.0)).xyz - a1;
-    vec3 a2 = (lightView.viewFromWorldOpen * vec4(t.open2, 1.0)).xyz, d2 = (lightView.viewFromWorldClose * vec4(t.close2, 1.0)).xyz - a2;
-    vec3 v0 = a0 + u * d0, v1 = a1 + u * d1, v2 = a2 + u * d2;
+    VertexMotion world = VertexMotion(t.open0, t.open1, t.open2, t.close0, t.close1, t.close2);
+    VertexMotion v = inView(world, lightView.viewFromWorldOpen, lightView.viewFromWorldClose);
+    vec3 d0 = v.close0 - v.open0, d1 = v.close1 - v.open1, d2 = v.close2 - v.open2;
+    vec3 v0 = v.open0 + u * d0, v1 = v.open1 + u * d1, v2 = v.open2 + u * d2;
     vec2 p = m.position;
-#ifdef LIGHT_ORTHOGRAPHIC
-    return depthRateAtPlace(v0.xy - p, v1.xy - p, v2.xy - p, d0.xy, d1.xy, d2.xy, vec3(v0.z, v1.z, v2.z), vec3(d0.z, d1.z, d2.z));
-#else
-    return depthRateAtPlace(v0.xy - p * v0.z, v1.xy - p * v1.z, v2.xy - p * v2.z, d0.xy - p * d0.z, d1.xy - p * d1.z, d2.xy - p * d2.z,
-                            vec3(v0.z, v1.z, v2.z), vec3(d0.z, d1.z, d2.z));
-#endif
+    return depthRateAtPlace(seenFrom(p, v0), seenFrom(p, v1), seenFrom(p, v2), seenRate(p, d0), seenRate(p, d1),
+                            seenRate(p, d2), vec3(v0.z, v1.z, v2.z), vec3(d0.z, d1.z, d2.z));
 }
 
 // What has to be allowed for before a depth of the map counts as nearer: `bias` texels, and `slopeBias` times the most
@@ -51,13 +58,4 @@ float mapDepthRate(MapPoint m, MovingTriangle t, float u) {
 float depthBias(MapPoint m, float bias, float slopeBias) {
     float rise = 0.5 * (abs(m.slope.x) + abs(m.slope.y)) / lightView.size.x;
     return bias * m.texel + slopeBias * min(rise, 16.0 * m.texel);
-}
-
-// Distance that a stored (reversed) depth stands for; far beyond everything where nothing was drawn.
-float mapDistance(float stored) {
-#ifdef LIGHT_ORTHOGRAPHIC
-    return stored > 0.0 ? (1.0 - stored) * lightView.farDistance : 1e30;
-#else
-    return stored > 0.0 ? lightView.nearDistance / stored : 1e30;
-#endif
 }

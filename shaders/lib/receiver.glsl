@@ -1,19 +1,14 @@
 // The receiver of a camera sample: which point of which triangle it sees, at its own time. Derived again from the
 // triangle's number and the time wherever it is needed, so that no G-buffer has to be written or read.
+//
 // CAMERA_TURNS, LIGHT_ORTHOGRAPHIC: kinds of view.
 #include "lib/blocks.glsl"
+#include "lib/triangle_texels.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
 layout(binding = SAMPLE_IDS_UNIT) uniform usampler2DArray sampleIds;
-
-struct MovingTriangle {
-    vec3 open0, open1, open2;     // world space less the origin, at u = 0
-    vec3 close0, close1, close2;  // at u = 1
-    bool doubleSided;
-    uint material;
-};
 
 struct Receiver {
     uint triangle;
@@ -24,13 +19,7 @@ struct Receiver {
     vec3 geometricNormal;  // not normalised; of a two-sided triangle the one towards the camera
 };
 
-MovingTriangle fetchTriangle(uint id) {
-    int first = int(id) * TRIANGLE_POSITION_TEXELS;
-    vec4 a = texelFetch(trianglePositions, first), b = texelFetch(trianglePositions, first + 1),
-         c = texelFetch(trianglePositions, first + 2), d = texelFetch(trianglePositions, first + 3),
-         e = texelFetch(trianglePositions, first + 4);
-    return MovingTriangle(a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), c.yzw, d.xyz, vec3(d.w, e.xy), e.z != 0.0, uint(e.w));
-}
+MovingTriangle fetchTriangle(uint id) { return fetchTriangleFrom(trianglePositions, id); }
 
 // The point of a triangle with the given barycentrics, at time u.
 Receiver pointAt(MovingTriangle t, uint id, vec3 barycentrics, float u) {
@@ -46,16 +35,27 @@ Receiver pointAt(MovingTriangle t, uint id, vec3 barycentrics, float u) {
     return r;
 }
 
-// Where the camera ray of the sample meets the triangle's plane at the sample's time. The same arithmetic as the sample pass.
+vec3 inCameraAt(vec3 open, vec3 close, float u) {
+    return mix(transformed(cameraView.viewFromWorldOpen, open), transformed(cameraView.viewFromWorldClose, close), u);
+}
+
+// The ray through an image position of a camera that turns, at time u, in view coordinates.
+vec3 cameraRayAt(vec2 position, float u) {
+    return mix((cameraView.raysOpen * vec4(position, 1.0, 0.0)).xyz,
+               (cameraView.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
+}
+
+// Where the camera ray of the sample meets the triangle's plane at the sample's time. The same arithmetic as the sample
+// pass.
 Receiver receiverOf(MovingTriangle t, uint id, uvec2 pixel, uint stratum) {
     vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA);
     float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
     vec2 position = (vec2(pixel) + pattern.xy) / cameraView.size;
-    vec3 v0 = mix((cameraView.viewFromWorldOpen * vec4(t.open0, 1.0)).xyz, (cameraView.viewFromWorldClose * vec4(t.close0, 1.0)).xyz, u);
-    vec3 v1 = mix((cameraView.viewFromWorldOpen * vec4(t.open1, 1.0)).xyz, (cameraView.viewFromWorldClose * vec4(t.close1, 1.0)).xyz, u);
-    vec3 v2 = mix((cameraView.viewFromWorldOpen * vec4(t.open2, 1.0)).xyz, (cameraView.viewFromWorldClose * vec4(t.close2, 1.0)).xyz, u);
+    vec3 v0 = inCameraAt(t.open0, t.close0, u);
+    vec3 v1 = inCameraAt(t.open1, t.close1, u);
+    vec3 v2 = inCameraAt(t.open2, t.close2, u);
 #ifdef CAMERA_TURNS
-    vec3 ray = mix((cameraView.raysOpen * vec4(position, 1.0, 0.0)).xyz, (cameraView.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
+    vec3 ray = cameraRayAt(position, u);
     vec3 e = edgeFunctions(v0.xy * ray.z - ray.xy * v0.z, v1.xy * ray.z - ray.xy * v1.z, v2.xy * ray.z - ray.xy * v2.z);
 #else
     vec3 e = edgeFunctions(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z);

@@ -1,6 +1,8 @@
 // What the two ways of covering a moving triangle (a point, a rectangle) have in common.
+//
 // VIEW_LIGHT: draw for the light instead of the camera. VIEW_TURNS, VIEW_ORTHOGRAPHIC: kind of view.
 #include "lib/blocks.glsl"
+#include "lib/triangle_texels.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/swept_bounds.shared.h"
 
@@ -26,7 +28,9 @@ flat out vec3 close2;
 flat out uint triangleId;
 
 // Whole pixels that may hold a sample of the triangle during this stratum: [low, high), low >= high for none.
-struct PixelBounds { ivec2 low; ivec2 high; };
+struct PixelBounds {
+    ivec2 low, high;
+};
 
 vec3 facingVector(vec3 v) {
 #ifdef VIEW_ORTHOGRAPHIC
@@ -36,16 +40,20 @@ vec3 facingVector(vec3 v) {
 #endif
 }
 
-// texels: the five of TRIANGLE_POSITION_TEXELS.
-PixelBounds coverTriangle(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e, uint id) {
-    open0 = vec4((view.viewFromWorldOpen * vec4(a.xyz, 1.0)).xyz, e.z);
-    open1 = (view.viewFromWorldOpen * vec4(a.w, b.xy, 1.0)).xyz;
-    open2 = (view.viewFromWorldOpen * vec4(b.zw, c.x, 1.0)).xyz;
-    close0 = (view.viewFromWorldClose * vec4(c.yzw, 1.0)).xyz;
-    close1 = (view.viewFromWorldClose * vec4(d.xyz, 1.0)).xyz;
-    close2 = (view.viewFromWorldClose * vec4(d.w, e.xy, 1.0)).xyz;
+void outputTriangle(MovingTriangle t, uint id) {
+    VertexMotion world = VertexMotion(t.open0, t.open1, t.open2, t.close0, t.close1, t.close2);
+    VertexMotion v = inView(world, view.viewFromWorldOpen, view.viewFromWorldClose);
+    open0 = vec4(v.open0, t.doubleSided ? 1.0 : 0.0);
+    open1 = v.open1;
+    open2 = v.open2;
+    close0 = v.close0;
+    close1 = v.close1;
+    close2 = v.close2;
     triangleId = id;
+}
 
+// Where in the image the triangle may be seen during this stratum.
+SweptBounds stratumBounds(bool doubleSided) {
     float begin = frame.timeBase + float(stratum) * frame.timeScale;
     float end = begin + frame.timeScale;
     vec3 a0 = mix(open0.xyz, close0, begin), b0 = mix(open0.xyz, close0, end);
@@ -64,8 +72,14 @@ PixelBounds coverTriangle(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e, uint id) {
     // One-sided triangles that face away all through the stratum are never seen.
     vec4 facing = determinantCoefficients(facingVector(a0), facingVector(a1), facingVector(a2), facingVector(b0),
                                           facingVector(b1), facingVector(b2));
-    if (e.z == 0.0 && all(lessThan(facing, vec4(0.0)))) bounds.high = bounds.low - 1.0;
+    if (!doubleSided && all(lessThan(facing, vec4(0.0)))) bounds.high = bounds.low - 1.0;
 #endif
+    return bounds;
+}
+
+PixelBounds coverTriangle(MovingTriangle t, uint id) {
+    outputTriangle(t, id);
+    SweptBounds bounds = stratumBounds(t.doubleSided);
     // A slack of 1/64 pixel covers the rounding of the projection; the fragments test exactly.
     const float slack = 1.0 / 64.0;
     vec2 low = clamp(bounds.low * view.size - slack, vec2(-1.0), view.size + 1.0);

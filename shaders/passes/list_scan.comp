@@ -1,6 +1,7 @@
-// Exclusive prefix sum over the counters of all cells, in three dispatches that each see a block of LIST_SCAN_BLOCK cells
-// a work group. SCAN_STEP 0: sum of each block. 1: exclusive prefix over the blocks' sums, by one group. 2: prefix inside each block,
-// on top of the block's own start. Sums saturate instead of wrapping, so that a total too large to hold is seen as such.
+// Exclusive prefix sum over the counters of all cells, in three dispatches with a block of LIST_SCAN_BLOCK cells per
+// work group. SCAN_STEP 0: sum of each block. 1: exclusive prefix over the blocks' sums, by one group. 2: prefix inside
+// each block, on top of the block's own start. Sums saturate instead of wrapping, so that a total too large to hold is
+// seen as such.
 #include "shared/frame_blocks.shared.h"
 
 #define GROUP 256

@@ -1,4 +1,5 @@
 // Mean over a pixel's camera samples of shading times lit: the only place where light becomes colour.
+//
 // VIEW_VISIBILITY: mean of lit alone.
 #include "lib/receiver.glsl"
 
@@ -25,8 +26,9 @@ Surface surfaceOf(Receiver r, uint material) {
     vec4 a = texelFetch(triangleShading, first), b = texelFetch(triangleShading, first + 1),
          c = texelFetch(triangleShading, first + 2), d = texelFetch(triangleShading, first + 3),
          e = texelFetch(triangleShading, first + 4);
-    vec3 normal = r.barycentrics.x * mix(a.xyz, c.yzw, r.time) + r.barycentrics.y * mix(vec3(a.w, b.xy), d.xyz, r.time) +
-                  r.barycentrics.z * mix(vec3(b.zw, c.x), vec3(d.w, e.xy), r.time);
+    VertexMotion n = unpackMotion(a, b, c, d, e);
+    vec3 normal = r.barycentrics.x * mix(n.open0, n.close0, r.time) +
+                  r.barycentrics.y * mix(n.open1, n.close1, r.time) + r.barycentrics.z * mix(n.open2, n.close2, r.time);
     float squared = dot(normal, normal);
     normal = squared > 1e-12 ? normal * inversesqrt(squared) : normalize(r.geometricNormal);
     vec4 factors = texelFetch(materials, int(material) * MATERIAL_TEXELS + 1);
@@ -61,7 +63,8 @@ vec3 reflected(Surface s, vec3 toLight, vec3 toEye) {
     float alpha = max(s.roughness * s.roughness, 1e-3), alpha2 = alpha * alpha;
     float d = nh * nh * (alpha2 - 1.0) + 1.0;
     float distribution = alpha2 / (PI * d * d);
-    float smithing = 0.5 / (nl * sqrt(nv * nv * (1.0 - alpha2) + alpha2) + nv * sqrt(nl * nl * (1.0 - alpha2) + alpha2));
+    float smithing =
+        0.5 / (nl * sqrt(nv * nv * (1.0 - alpha2) + alpha2) + nv * sqrt(nl * nl * (1.0 - alpha2) + alpha2));
     vec3 f0 = mix(vec3(0.04), s.baseColor, s.metallic);
     vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
     vec3 diffuse = (1.0 - fresnel) * (1.0 - s.metallic) * s.baseColor / PI;

@@ -1,5 +1,5 @@
-// Depth of the scene as it is at one instant: an ordinary shadow map. The map's plane may be turned, shifted or warped by a
-// homography; what is stored is then divided by its weight, which keeps planes plane.
+// Depth of the scene as it is at one instant: an ordinary shadow map. The map's plane may be turned, shifted or warped
+// by a homography; what is stored is then divided by its weight, which keeps planes plane.
 #include "lib/blocks.glsl"
 
 layout(location = 0) in vec3 positionOpen;

@@ -1,13 +1,12 @@
-// Is the receiver lit, by an ordinary shadow map of one instant? The receiver's own point of its surface is taken
-// to that instant as well. PCF_RADIUS: 0 one texel, n the mean over (2n + 1)^2 tests (Reeves et al. 1987).
+// Is the receiver lit, by an ordinary shadow map of one instant? The receiver's point of its triangle is moved to that
+// instant as well. PCF_RADIUS: 0 one texel, n the mean over (2n + 1)^2 tests (Reeves et al. 1987).
 #include "lib/lookup.glsl"
 
 uniform sampler2DArray shadowMap;
 uniform float instant;
 
 float litByTexel(ivec2 texel, float depth) {
-    ivec2 last = ivec2(lightView.size) - 1;
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThan(texel, last))) return 1.0;
+    if (!insideMap(texel)) return 1.0;
     return depth > mapDistance(texelFetch(shadowMap, ivec3(texel, 0), 0).x) ? 0.0 : 1.0;
 }
 

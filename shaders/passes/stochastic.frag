@@ -1,6 +1,8 @@
 // Does the sample of this pixel and stratum lie in the moving triangle at its own time? Exact per sample: the cover
 // drawn by the vertex shader only has to be large enough.
-// OUTPUT_ID: write the triangle's number. OUTPUT_DYNAMIC_PIXELS: and 1 where a triangle is seen in any stratum. OUTPUT_DEPTH_VELOCITY: write how fast the depth changes that this pixel sees of the triangle.
+//
+// OUTPUT_ID: write the triangle's number. OUTPUT_DYNAMIC_PIXELS: and 1 where a triangle is seen in any stratum.
+// OUTPUT_DEPTH_VELOCITY: write how fast the depth changes that this pixel sees of the triangle.
 #include "lib/blocks.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
@@ -30,8 +32,12 @@ layout(location = 1) out float outputDynamicPixel;
 layout(location = 0) out float outputDepthVelocity;
 #endif
 
-void main() {
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
+struct Sample {
+    vec2 position;  // in the image
+    float u;
+};
+
+Sample sampleOf(uvec2 pixel) {
 #ifdef VIEW_LIGHT
     vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_LIGHT);
     pattern.xy = vec2(0.5);  // a map is sampled at its texels' centres, at random times
@@ -39,19 +45,57 @@ void main() {
     vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA);
 #endif
     float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
-    vec2 position = (vec2(pixel) + pattern.xy) / view.size;
+    return Sample((vec2(pixel) + pattern.xy) / view.size, u);
+}
 
-    vec3 v0 = mix(open0.xyz, close0, u);
-    vec3 v1 = mix(open1, close1, u);
-    vec3 v2 = mix(open2, close2, u);
+// The triangle's vertices at one time, in view coordinates.
+struct Vertices {
+    vec3 v0, v1, v2;
+};
+
+// Edge functions, and the length of the ray along the view's axis.
+vec3 edgesOf(Vertices v, Sample s, out float rayLength) {
+    rayLength = 1.0;
 #if defined(VIEW_ORTHOGRAPHIC)
-    precise vec3 e = edgeFunctions(v0.xy - position, v1.xy - position, v2.xy - position);
+    precise vec3 e = edgeFunctions(v.v0.xy - s.position, v.v1.xy - s.position, v.v2.xy - s.position);
 #elif defined(VIEW_TURNS)
-    vec3 ray = mix((view.raysOpen * vec4(position, 1.0, 0.0)).xyz, (view.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
-    precise vec3 e = edgeFunctions(v0.xy * ray.z - ray.xy * v0.z, v1.xy * ray.z - ray.xy * v1.z, v2.xy * ray.z - ray.xy * v2.z);
+    vec3 ray =
+        mix((view.raysOpen * vec4(s.position, 1.0, 0.0)).xyz, (view.raysClose * vec4(s.position, 1.0, 0.0)).xyz, s.u);
+    rayLength = ray.z;
+    precise vec3 e = edgeFunctions(v.v0.xy * ray.z - ray.xy * v.v0.z, v.v1.xy * ray.z - ray.xy * v.v1.z,
+                                   v.v2.xy * ray.z - ray.xy * v.v2.z);
 #else
-    precise vec3 e = edgeFunctions(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z);
+    precise vec3 e =
+        edgeFunctions(v.v0.xy - s.position * v.v0.z, v.v1.xy - s.position * v.v1.z, v.v2.xy - s.position * v.v2.z);
 #endif
+    return e;
+}
+
+#ifdef OUTPUT_DEPTH_VELOCITY
+// Change of the depth at the sample's position per u. Within the stratum the depth can't change by more than the
+// vertices' depths differ in it.
+float depthVelocity(Vertices v, Sample s) {
+    vec3 d0 = close0 - open0.xyz, d1 = close1 - open1, d2 = close2 - open2;
+    vec3 z = vec3(v.v0.z, v.v1.z, v.v2.z), zRate = vec3(d0.z, d1.z, d2.z);
+    vec2 p = s.position;
+#ifdef VIEW_ORTHOGRAPHIC
+    float rate = depthRateAtPlace(v.v0.xy - p, v.v1.xy - p, v.v2.xy - p, d0.xy, d1.xy, d2.xy, z, zRate);
+#else
+    float rate = depthRateAtPlace(v.v0.xy - p * v.v0.z, v.v1.xy - p * v.v1.z, v.v2.xy - p * v.v2.z, d0.xy - p * d0.z,
+                                  d1.xy - p * d1.z, d2.xy - p * d2.z, z, zRate);
+#endif
+    float begin = frame.timeBase + float(stratum) * frame.timeScale - s.u, end = begin + frame.timeScale;
+    vec3 first = z + begin * zRate, last = z + end * zRate, low = min(first, last), high = max(first, last);
+    float most = max(max(high.x, high.y), high.z) - min(min(low.x, low.y), low.z);
+    return clamp(rate, -most / frame.timeScale, most / frame.timeScale);
+}
+#endif
+
+void main() {
+    Sample s = sampleOf(uvec2(gl_FragCoord.xy));
+    Vertices v = Vertices(mix(open0.xyz, close0, s.u), mix(open1, close1, s.u), mix(open2, close2, s.u));
+    float rayLength;
+    precise vec3 e = edgesOf(v, s, rayLength);
     float sum = e.x + e.y + e.z;
     bool front = min(min(e.x, e.y), e.z) >= 0.0 && sum > 0.0;
     bool back = max(max(e.x, e.y), e.z) <= 0.0 && sum < 0.0;
@@ -59,9 +103,9 @@ void main() {
     back = back && open0.w != 0.0;
 #endif
     if (!(front || back)) discard;
-    float distance = dot(e, vec3(v0.z, v1.z, v2.z)) / sum;
+    float distance = dot(e, vec3(v.v0.z, v.v1.z, v.v2.z)) / sum;
 #if defined(VIEW_TURNS)
-    distance /= ray.z;
+    distance /= rayLength;
 #endif
 #if defined(VIEW_ORTHOGRAPHIC)
     if (!(distance >= 0.0 && distance <= view.farDistance)) discard;
@@ -76,18 +120,6 @@ void main() {
     outputDynamicPixel = 1.0;
 #endif
 #elif defined(OUTPUT_DEPTH_VELOCITY)
-    vec3 d0 = close0 - open0.xyz, d1 = close1 - open1, d2 = close2 - open2;
-    vec3 z = vec3(v0.z, v1.z, v2.z), zRate = vec3(d0.z, d1.z, d2.z);
-#ifdef VIEW_ORTHOGRAPHIC
-    float rate = depthRateAtPlace(v0.xy - position, v1.xy - position, v2.xy - position, d0.xy, d1.xy, d2.xy, z, zRate);
-#else
-    float rate = depthRateAtPlace(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z, d0.xy - position * d0.z,
-                                  d1.xy - position * d1.z, d2.xy - position * d2.z, z, zRate);
-#endif
-    // Within the stratum the depth can't change by more than the vertices' depths differ in it.
-    float begin = frame.timeBase + float(stratum) * frame.timeScale - u, end = begin + frame.timeScale;
-    vec3 first = z + begin * zRate, last = z + end * zRate, low = min(first, last), high = max(first, last);
-    float most = max(max(high.x, high.y), high.z) - min(min(low.x, low.y), low.z);
-    outputDepthVelocity = clamp(rate, -most / frame.timeScale, most / frame.timeScale);
+    outputDepthVelocity = depthVelocity(v, s);
 #endif
 }

@@ -8,7 +8,7 @@ layout(location = 3) in vec4 texel3;
 layout(location = 4) in vec4 texel4;
 
 void main() {
-    PixelBounds pixels = coverTriangle(texel0, texel1, texel2, texel3, texel4, uint(gl_VertexID));
+    PixelBounds pixels = coverTriangle(unpackTriangle(texel0, texel1, texel2, texel3, texel4), uint(gl_VertexID));
     ivec2 extent = pixels.high - pixels.low;
     gl_PointSize = 1.0;
     gl_Position = vec4(2.0, 2.0, 0.0, 1.0);  // outside: clipped

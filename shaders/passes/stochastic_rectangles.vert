@@ -7,10 +7,7 @@ layout(binding = LARGE_TRIANGLES_UNIT) uniform usamplerBuffer largeTriangles;
 
 void main() {
     uint id = texelFetch(largeTriangles, gl_InstanceID).x;
-    int first = int(id) * TRIANGLE_POSITION_TEXELS;
-    PixelBounds pixels = coverTriangle(texelFetch(trianglePositions, first), texelFetch(trianglePositions, first + 1),
-                                       texelFetch(trianglePositions, first + 2), texelFetch(trianglePositions, first + 3),
-                                       texelFetch(trianglePositions, first + 4), id);
+    PixelBounds pixels = coverTriangle(fetchTriangleFrom(trianglePositions, id), id);
     gl_PointSize = 1.0;
     gl_Position = vec4(2.0, 2.0, 0.0, 1.0);
     if (all(lessThan(pixels.low, pixels.high))) {

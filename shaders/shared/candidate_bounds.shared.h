@@ -5,15 +5,15 @@
 
 SHARED_BEGIN
 
-/// How far float arithmetic may put a point of the light's map from where it is, in map widths: receivers and casters
-/// get there by the same matrices, each with an error of a few units of 2^-24 of the scene's extent over the distance.
+/// Bound on the error of a position in the light's map, in map widths: receivers and casters are transformed by the
+/// same matrices, each with an error of a few units of 2^-24 of the scene's extent over the distance.
 #define MAP_POSITION_SLACK SHARED_FLOAT(1e-5)
 
 /// Set in a candidate's triangle number when the triangle moves in the world: its second position must be read.
 #define CANDIDATE_MOVES 0x80000000u
 
-/// Entries of which one texel holds all bounds and the next one all triangle numbers: what a list costs a reader is
-/// fetches.
+/// Entries of which one texel holds all bounds and the next one all triangle numbers: fetches are what reading a list
+/// costs.
 #define CANDIDATES_TOGETHER 4u
 
 /// The word with an entry's bounds, among all words; its triangle number lies CANDIDATES_TOGETHER further on.

@@ -79,8 +79,8 @@ SHARED_FUNCTION vec2 rootsInside(float b0, float b1, float b2) {
     return vec2(timeInside(q, a), timeInside(b0, q));
 }
 
-/// When the triangle covers the point: `count` visits from begins[i] to ends[i], in order, apart or (where the triangle
-/// turns over in an instant) touching.
+/// When the triangle covers the point: `count` intervals from begins[i] to ends[i], in order, apart or (where the
+/// triangle turns over in an instant) touching.
 struct CoverageIntervals {
     int count;
     vec4 begins, ends;
@@ -106,7 +106,7 @@ struct CoverageIntervals {
         }                                                                                   \
     }
 
-/// Cuts the shutter at all roots, and asks in the middle of each gap which side is seen there: a root that is missed,
+/// Cuts the shutter at all roots, and tests in the middle of each gap which side is seen there: a root that is missed,
 /// found twice or put a little aside costs no more than the gap beside it.
 SHARED_FUNCTION CoverageIntervals intervalsBetweenRoots(EdgeQuadratics e) {
     CoverageIntervals intervals;
@@ -154,15 +154,15 @@ SHARED_FUNCTION CoverageIntervals intervalsOf(EdgeQuadratics e) {
         intervals.count = 1;
         intervals.ends.x = SHARED_FLOAT(1.0);
     }
-    // A loop that runs once where a branch would do: software renderers run both sides of a branch, but no loop that
-    // nobody enters.
+    // A loop that runs once where a branch would do: software renderers run both sides of a branch, but skip a loop
+    // that no lane enters.
     int rounds = intervals.count == 0 && !neverCovers(e) ? 1 : 0;
     for (int i = 0; i < rounds; ++i) intervals = intervalsBetweenRoots(e);
     return intervals;
 }
 
 /// The same for a triangle that does not turn (its vertices move alike): its edge functions are linear in u and it
-/// keeps its side, so the visit is what the three edges leave of the shutter.
+/// keeps its side, so the interval is what the three edges leave of the shutter.
 SHARED_FUNCTION CoverageIntervals intervalsOfTranslation(EdgeQuadratics e) {
     float side = e.at0.x + e.at0.y + e.at0.z < SHARED_FLOAT(0.0) ? -SHARED_FLOAT(1.0) : SHARED_FLOAT(1.0);
     vec3 first = side * e.at0, last = side * e.at2, fall = first - last;

@@ -74,8 +74,8 @@ SHARED_FUNCTION vec4 positiveIntervals(float b0, float b1, float b2) {
 }
 
 /// Bernstein coefficients of normal(t) . towardsLight(t) for both linear in t: the receiver faces the light where they
-/// are positive (Palmer's f(t), his section on facing; numerics B.10). The normal is never normalised: a face that
-/// turns by half a turn has none half-way.
+/// are positive (equation 2.5 of Palmér, "Analytical motion blurred shadows"). The normal is never normalised:
+/// a face that turns by half a turn has none half-way.
 SHARED_FUNCTION vec3 facingCoefficients(vec3 normalOpen, vec3 normalClose, vec3 lightOpen, vec3 lightClose) {
     return vec3(dot(normalOpen, lightOpen),
                 SHARED_FLOAT(0.5) * (dot(normalClose, lightOpen) + dot(normalOpen, lightClose)),

@@ -37,7 +37,7 @@
 
 SHARED_BEGIN
 
-/// What holds for a whole frame. Positions are world space less FramePlan::origin.
+/// Constants of a whole frame. Positions are world space less FramePlan::origin.
 struct FrameBlock {
     vec4 lightPositionOpen;   // xyz at u = 0; directional: not used
     vec4 lightPositionClose;  // xyz at u = 1

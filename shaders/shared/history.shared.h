@@ -12,20 +12,21 @@ SHARED_BEGIN
 #define HISTORY_MAX_SURE 7u
 #define HISTORY_MAX_AGE 65535.0
 
-// A pixel that has learned enough rests: it is asked every second, fourth, ... frame, tile by tile in turn. In one
-// number: the first and the last cell that its samples fall in, of RETEST_SIDE x RETEST_SIDE over the light's map
-// plane, 7 bits a coordinate; above them the power of two.
+// A converged pixel is tested again every second, fourth, ... frame, tile by tile in turn. Packed in one number: the
+// first and the last cell that its samples fall in, of RETEST_SIDE x RETEST_SIDE over the light's map plane, 7 bits per
+// coordinate; above them the re-test period's power of two.
 #define RETEST_SIDE 128
 #define RETEST_CELL_BITS 7
 #define RETEST_PERIOD_SHIFT 28
-#define RETEST_NEVER 15u         // nothing is left to learn
+#define RETEST_NEVER 15u         // no further test can change the pixel
 #define RETEST_SURE_AFTER 4u     // tests in a row that were sure of every sample;
 #define RETEST_PERIOD_SURE 5u    // then every thirty-second frame
 #define RETEST_DOUBT_AFTER 12.0  // tests of which some were not: an edge is near;
 #define RETEST_PERIOD_DOUBT 4u   // then every sixteenth frame
-#define RETEST_TILE 8            // pixels along a side that rest together
+#define RETEST_TILE 8            // pixels along a side of a tile, which have one phase of the period
 
-// Frames' worth of weight, at most; keeps a float's sum exact enough to go on for ever. Twice that stands for proof.
+// Limit of the sum of weights, in frames, so that adding to it in float stays exact enough for any number of frames.
+// Twice that marks a pixel that was proven to be shadowed.
 #define HISTORY_MAX_WEIGHT 4096.0
 #define HISTORY_PROVEN_WEIGHT 8192.0
 
@@ -44,13 +45,13 @@ struct HistoryBlock {
     float sharpness;        // factor on the distance from one half of what is shown
     float threshold;        // of the distance from the camera: a past farther off its surface is another's
     uint hasPast;           // 0: nothing of the history may be used
-    uint triesTriangles;    // 1: the triangles that the map saw are tried against the receiver's own ray
-    uint keepsProof;        // 1: what is proven dark stays so until something moves
-    float dynamicMaskSize;  // texels along a side of the mask of moving casters; 0: no mask
-    uint awaitsProof;       // 1: and there is time to find it, so that an edge that is missed means lit
-    uint mayConverge;       // 1: what has learned enough is not asked in every frame
-    uint round;             // frames since the camera came to rest
-    uint framesDue;         // of resting pixels those are asked whose turn is in one of so many frames
+    uint triesTriangles;    // 1: the triangles that the map saw are tested against the receiver's own segment
+    uint keepsProof;        // 1: what is proven to be shadowed stays so until something moves
+    float dynamicMaskSize;  // texels along a side of the mask of dynamic casters; 0: no mask
+    uint awaitsProof;       // 1: later frames can find the proof, so that without one a point beside an edge is lit
+    uint mayConverge;       // 1: converged pixels are not tested in every frame
+    uint round;             // frames since the camera stopped
+    uint framesDue;         // converged pixels are tested whose phase falls in one of so many frames
     uint padding0, padding1;
 };
 

@@ -10,7 +10,7 @@ SHARED_BEGIN
 
 /// x, y: position inside the pixel, in [0, 1). z: position inside the stratum of time, in [0, 1).
 /// x, y: per pixel a random shift (Cranley and Patterson 1976), over k an additive recurrence, the plane's R2 sequence
-/// (steps 1/g and 1/g^2 with g^3 = g + 1). z: independent per pixel and stratum, as plain stratified sampling wants it:
+/// (steps 1/g and 1/g^2 with g^3 = g + 1). z: independent per pixel and stratum, as in plain stratified sampling:
 /// a recurrence over k would tie strata to each other (a golden-ratio step all but repeats after 13). So one sample
 /// lies in every stratum of time, a pixel's samples are spread evenly in space, and pixels are independent.
 SHARED_FUNCTION vec3 samplePattern(uvec2 pixel, uint k, uint seed, uint salt) {
@@ -21,8 +21,8 @@ SHARED_FUNCTION vec3 samplePattern(uvec2 pixel, uint k, uint seed, uint salt) {
 }
 
 /// Shutter time of the sample in stratum k: u = base + (k + xi) * scale. With base 0 and scale 1/N these are the
-/// stratified times of design section 1; scale 0 puts every sample at the instant `base`.
-/// Never above 1, whatever 1/N rounds to.
+/// stratified sample times of docs/numerics.md; scale 0 puts every sample at the instant `base`. Never above 1,
+/// whatever 1/N rounds to.
 SHARED_FUNCTION float sampleTime(float base, float scale, uint k, float xi) {
     return min(base + (float(k) + xi) * scale, SHARED_FLOAT(1.0));
 }

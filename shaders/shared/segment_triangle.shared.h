@@ -5,12 +5,13 @@
 
 SHARED_BEGIN
 
-/// Nothing nearer to the receiver than this share of the way to the light casts a shadow on it (design section 1).
+/// Nothing nearer to the receiver than this share of the way to the light casts a shadow on it (docs/numerics.md,
+/// "Definition of shadow"): it bounds the rounding of the receiver's own position.
 #define SEGMENT_NEAREST SHARED_FLOAT(1e-5)
 
 /// A vertex at time u seen from the receiver, for a vertex that moves linearly from `open` to `close`. The receiver is
-/// subtracted before anything is multiplied: near a contact the difference is exact, and a vertex that stands still
-/// is exactly where it is at every u, which mix(open, close, u) does not give.
+/// subtracted before anything is multiplied: near a contact the difference is exact, and a static vertex is
+/// exactly where it is at every u, which mix(open, close, u) does not give.
 /// Error: at most 2^-23 (|open - receiver| + |close - open|) per coordinate.
 SHARED_FUNCTION vec3 vertexFromReceiver(vec3 open, vec3 close, float u, vec3 receiver) {
     SHARED_PRECISE vec3 v = (open - receiver) + (close - open) * u;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "shared/linked_intervals.shared.h"
 #include "techniques/ranges/bindings.shared.h"
 
 namespace timeshade {
 
 namespace {
 
-constexpr std::size_t bytesPerFragment = 16, bytesPerRange = RANGE_WORDS * sizeof(std::uint32_t);
+constexpr std::size_t bytesPerFragment = 16, bytesPerRange = LINKED_INTERVAL_WORDS * sizeof(std::uint32_t);
 const char* const advice =
     "the linked lists are too long: lower --map, or use the repaired form, whose fragments are smaller";
 
@@ -55,13 +56,13 @@ void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion)
         }
     }
     const auto timed = frame.timer.scope("build/generate");
-    rangeList_.reserve(std::max<std::size_t>(fragments_ / 2, 1) * RANGE_WORDS, advice);
+    rangeList_.reserve(std::max<std::size_t>(fragments_ / 2, 1) * LINKED_INTERVAL_WORDS, advice);
     generate();
 }
 
 void LinkedRanges::collect(const TechniqueFrame& frame) {
     const int size = frame.plan.request.mapSize;
-    const GLuint none = NO_ENTRY;
+    const GLuint none = NO_INTERVAL;
     const DeviceCounts zero;
     glClearNamedBufferData(heads_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     glNamedBufferSubData(counts_.name(), 0, sizeof zero, &zero);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shared/linked_intervals.shared.h"
 #include "techniques/temporal/bindings.shared.h"
 
 namespace timeshade {
@@ -47,9 +48,9 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
     DeviceCounts found;
     // How many there will be is known once they have been drawn: draw again where the room was too small.
     for (std::size_t wanted = std::max<std::size_t>(count_, 1);; wanted = found.tuples) {
-        tuples_.reserve(wanted * LINKED_TUPLE_WORDS, "the lists of tuples are too long: lower --map");
-        const std::size_t room = tuples_.bytes() / (LINKED_TUPLE_WORDS * sizeof(GLuint));
-        const GLuint nothing = NO_TUPLE;
+        tuples_.reserve(wanted * LINKED_INTERVAL_WORDS, "the lists of tuples are too long: lower --map");
+        const std::size_t room = tuples_.bytes() / (LINKED_INTERVAL_WORDS * sizeof(GLuint));
+        const GLuint nothing = NO_INTERVAL;
         glClearNamedBufferData(heads_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &nothing);
         const DeviceCounts zero;
         glNamedBufferSubData(counts_.name(), 0, sizeof zero, &zero);
@@ -74,18 +75,18 @@ void PublishedTuples::addInputs(gl::Inputs& inputs) const {
 TupleCounts PublishedTuples::counts() const {
     TupleCounts counts;
     counts.tuples = count_;
-    std::vector<GLuint> heads(texels_), tuples(std::max<std::size_t>(count_, 1) * LINKED_TUPLE_WORDS);
+    std::vector<GLuint> heads(texels_), tuples(std::max<std::size_t>(count_, 1) * LINKED_INTERVAL_WORDS);
     glGetNamedBufferSubData(heads_.buffer().name(), 0, static_cast<GLsizeiptr>(heads.size() * sizeof(GLuint)),
                             heads.data());
     glGetNamedBufferSubData(tuples_.buffer().name(), 0, static_cast<GLsizeiptr>(tuples.size() * sizeof(GLuint)),
                             tuples.data());
     for (const GLuint head : heads) {
         std::size_t length = 0;
-        for (GLuint tuple = head; tuple != NO_TUPLE; tuple = tuples[std::size_t{tuple} * LINKED_TUPLE_WORDS + 5])
+        for (GLuint tuple = head; tuple != NO_INTERVAL; tuple = tuples[std::size_t{tuple} * LINKED_INTERVAL_WORDS + 5])
             ++length;
         counts.longestList = std::max(counts.longestList, length);
     }
-    counts.predictedBytes = count_ * LINKED_TUPLE_WORDS * sizeof(GLuint) + texels_ * sizeof(GLuint) +
+    counts.predictedBytes = count_ * LINKED_INTERVAL_WORDS * sizeof(GLuint) + texels_ * sizeof(GLuint) +
                             covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
     if (coverage_) {
         DeviceCounts device;

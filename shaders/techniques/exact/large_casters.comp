@@ -1,4 +1,4 @@
-// The triangles and buckets of the queue, one group at a time for each; the group's invocations share the cells.
+// The triangles and buckets of the queue, one work group at a time for each; the group's invocations share the cells.
 #include "techniques/exact/candidates.glsl"
 
 layout(local_size_x = 64) in;
@@ -9,8 +9,9 @@ layout(std430, binding = TECHNIQUE_STORAGE_BINDING + 1) readonly buffer Queue {
 
 void main() {
     for (uint place = gl_WorkGroupID.x; place < queued; place += gl_NumWorkGroups.x) {
-        Footprint f = footprintOf(queue[place]);
-        ivec2 extent = max(f.high - f.low, ivec2(0));
-        for (int i = int(gl_LocalInvocationID.x); i < extent.x * extent.y; i += 64) visitCell(f, f.low + ivec2(i % extent.x, i / extent.x));
+        SweptCaster c = sweptCasterOf(queue[place]);
+        ivec2 extent = max(c.high - c.low, ivec2(0));
+        for (int i = int(gl_LocalInvocationID.x); i < extent.x * extent.y; i += 64)
+            addToCell(c, c.low + ivec2(i % extent.x, i / extent.x));
     }
 }

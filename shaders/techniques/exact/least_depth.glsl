@@ -1,4 +1,4 @@
-// The depth that candidates' steps of depth begin at, for the lists' writers and their reader alike.
+// The depth that candidates' steps of depth begin at, for those that write the lists and the lookup that reads them.
 #include "lib/blocks.glsl"
 
 float leastDepth() {

@@ -1,8 +1,11 @@
-// Is the receiver lit, by testing every triangle that might shadow it, at its own time and place? VIEW_CANDIDATES: how many
-// were tested instead. DYNAMIC_TRIANGLES, STATIC_TRIANGLES: there are such. STATIC_CASTERS_TRAVEL: some of the latter move with the light.
+// Is the receiver lit, by testing every triangle that might shadow it, at its own time and position?
+//
+// VIEW_CANDIDATES: how many were tested instead. DYNAMIC_TRIANGLES, STATIC_TRIANGLES: there are such.
+// STATIC_CASTERS_TRAVEL: some of the latter move with the light.
 #include "lib/lookup.glsl"
+#include "lib/segment_test.glsl"
+#include "lib/texel_lists.glsl"
 #include "shared/candidate_bounds.shared.h"
-#include "shared/segment_triangle.shared.h"
 #include "techniques/exact/least_depth.glsl"
 
 uniform usamplerBuffer dynamicOffsets;
@@ -20,19 +23,8 @@ const bool staticCastersTravel = false;
 #endif
 
 bool shadows(uint candidate, bool mayMove, Receiver r, vec3 toLight) {
-    int first = int(candidate & ~CANDIDATE_MOVES) * TRIANGLE_POSITION_TEXELS;
-    vec4 a = texelFetch(trianglePositions, first), b = texelFetch(trianglePositions, first + 1),
-         c = texelFetch(trianglePositions, first + 2);
-    vec3 open0 = a.xyz, open1 = vec3(a.w, b.xy), open2 = vec3(b.zw, c.x);
-    vec3 close0 = open0, close1 = open1, close2 = open2;
-    if (mayMove && (candidate & CANDIDATE_MOVES) != 0u) {
-        vec4 d = texelFetch(trianglePositions, first + 3);
-        close0 = c.yzw;
-        close1 = d.xyz;
-        close2 = vec3(d.w, texelFetch(trianglePositions, first + 4).xy);
-    }
-    return segmentMeetsTriangle(toLight, vertexFromReceiver(open0, close0, r.time, r.position), vertexFromReceiver(open1, close1, r.time, r.position),
-                                vertexFromReceiver(open2, close2, r.time, r.position), 0.0);
+    bool moves = mayMove && (candidate & CANDIDATE_MOVES) != 0u;
+    return segmentMeets(fetchMotion(trianglePositions, candidate & ~CANDIDATE_MOVES, moves), r, toLight);
 }
 
 float tested = 0.0;  // candidates of this sample
@@ -45,12 +37,13 @@ uint reachingOf(uvec4 bounds, uint place) {
 }
 
 // Does a candidate of the receiver's cell in bucket `bucket` shadow it?
-bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side, uint bucket, bool mayMove, Receiver r, MapPoint m, vec3 toLight) {
+bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side, uint bucket, bool mayMove, Receiver r,
+                    MapPoint m, vec3 toLight) {
     vec2 inGrid = m.position * float(side);
     ivec2 cell = clamp(ivec2(floor(inGrid)), ivec2(0), ivec2(side) - 1);
     uint place = packReceiverPlace(inGrid - vec2(cell), depthStep(m.depth, leastDepth()));
-    int list = int((bucket * side + uint(cell.y)) * side) + cell.x;
-    int first = int(texelFetch(offsets, list).x), last = int(texelFetch(offsets, list + 1).x);
+    ivec2 span = listSpan(offsets, int((bucket * side + uint(cell.y)) * side) + cell.x);
+    int first = span.x, last = span.y;
     const int together = int(CANDIDATES_TOGETHER);  // as many as a vector holds
     const uint all = (1u << CANDIDATES_TOGETHER) - 1u;
     int entry = first & ~(together - 1);  // the first of those that are looked at next
@@ -61,7 +54,8 @@ bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side
     while (true) {
         while (waiting == 0u && entry < last) {
             int texel = int(uint(entry) / CANDIDATES_TOGETHER * 2u);
-            waiting = reachingOf(texelFetch(candidates, texel), place) & (all << uint(max(first - entry, 0))) & (all >> uint(max(entry + together - last, 0)));
+            waiting = reachingOf(texelFetch(candidates, texel), place) & (all << uint(max(first - entry, 0))) &
+                      (all >> uint(max(entry + together - last, 0)));
             ids = texelFetch(candidates, texel + 1);
             waiting &= ~maskOf(equal(ids & uvec4(~CANDIDATE_MOVES), uvec4(r.triangle)));
             entry += together;
@@ -80,18 +74,16 @@ bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side
 
 float litOf(MovingTriangle t, Receiver r) {
     MapPoint m = mapPointOf(r, r.time);
-    vec3 toLight = towardsLight(r.position, r.time);
-#ifdef LIGHT_ORTHOGRAPHIC
-    toLight *= lightView.farDistance;
-#endif
+    vec3 toLight = segmentToLight(r.position, r.time);
     bool shadowed = false;
-    // First what moves, in the receiver's own bucket of time; then what stands still.
+    // First dynamic casters, in the receiver's own bucket of time; then static ones.
 #if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
     uint bucket = min(uint(r.time * float(buckets)), buckets - 1u);
     shadowed = shadowedByList(dynamicOffsets, dynamicCandidates, dynamicSide, bucket, true, r, m, toLight);
 #endif
 #ifdef STATIC_TRIANGLES
-    if (!shadowed) shadowed = shadowedByList(staticOffsets, staticCandidates, staticSide, 0u, staticCastersTravel, r, m, toLight);
+    if (!shadowed)
+        shadowed = shadowedByList(staticOffsets, staticCandidates, staticSide, 0u, staticCastersTravel, r, m, toLight);
 #endif
     return shadowed ? 0.0 : 1.0;
 }

@@ -1,4 +1,4 @@
-// What all shaders of the technique read: its settings and its uniforms.
+// What all shaders of the technique read: its settings and its uniform block.
 #include "lib/light_map.glsl"
 #include "lib/settings.glsl"
 #include "shared/history.shared.h"

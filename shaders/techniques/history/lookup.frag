@@ -1,11 +1,12 @@
-// All camera samples of a pixel against this frame's map; their lit share is merged with what earlier frames knew of
-// the surface, and handed back to the samples so that the pixel's mean is the merged share.
-// MOVED: the camera or something in the scene has moved since the frame before, so that the past lies elsewhere.
-// TRIES_TRIANGLES: as in map_test.glsl; then it is said as well how long the pixel may rest.
+// All camera samples of a pixel against this frame's map; their mean lit value is merged with the history of the
+// surface, and written back to the samples so that the pixel's mean is the merged one.
+//
+// MOVED: the camera or something in the scene has moved since the frame before, so that the history is reprojected.
+// TRIES_TRIANGLES: as in map_test.glsl; then the pixel's re-test period is written as well.
 #include "techniques/history/map_test.glsl"
 #include "techniques/history/texel.glsl"
 
-layout(early_fragment_tests) in;  // or pixels that rest would be drawn
+layout(early_fragment_tests) in;  // or converged pixels would be drawn
 
 uniform sampler2D past;
 #ifdef MOVED
@@ -20,6 +21,7 @@ layout(location = 0) out vec4 outputHistory;
 layout(location = 1) out uint outputPeriod;
 #endif
 
+// The sample that the pixel's history is about.
 struct Seen {
     bool any;
     uint id;
@@ -27,108 +29,141 @@ struct Seen {
     Receiver receiver;
 };
 
-#ifdef MOVED
-MovingTriangle fetchPrevious(uint id) {
-    int first = int(id) * TRIANGLE_POSITION_TEXELS;
-    vec4 a = texelFetch(previousPositions, first), b = texelFetch(previousPositions, first + 1),
-         c = texelFetch(previousPositions, first + 2), d = texelFetch(previousPositions, first + 3),
-         e = texelFetch(previousPositions, first + 4);
-    return MovingTriangle(a.xyz, vec3(a.w, b.xy), vec3(b.zw, c.x), c.yzw, d.xyz, vec3(d.w, e.xy), e.z != 0.0, uint(e.w));
+// This frame's tests of a pixel's samples, summed up.
+struct PixelTests {
+    Seen seen;
+    uint testedStrata;  // one bit each
+    float count;        // of tested samples
+    float litSum, weightSum, weightedLit;
+    vec2 low, high;      // of their positions in the light's map plane
+    bool sure, proven;   // every sample
+    bool receiverMoves;  // in any sample
+    bool overlapped;     // by a dynamic caster, in any sample
+};
+
+PixelTests noTests() {
+    PixelTests tests;
+    tests.seen.any = false;
+    tests.testedStrata = 0u;
+    tests.count = tests.litSum = tests.weightSum = tests.weightedLit = 0.0;
+    tests.low = vec2(1.0);  // nowhere: the last cell before the first
+    tests.high = vec2(0.0);
+    tests.sure = true;
+    tests.proven = history.keepsProof != 0u;
+    tests.receiverMoves = tests.overlapped = false;
+    return tests;
 }
 
+#ifdef MOVED
 mat3 previousRays(float u) { return mat3(history.previousRaysOpen) * (1.0 - u) + mat3(history.previousRaysClose) * u; }
 
-// Did anything move between the light and this point, in this frame's shutter, the last one's or between them? A point that moves
-// itself is taken where the map sees it.
+// Has anything moved between the light and this point, in this frame's shutter, the last one's or between them? A point
+// that moves itself is taken where the map sees it.
 bool overlappedByDynamicCaster(ShadowTest test) {
-    ivec2 texel = clamp(ivec2(floor(test.place * history.dynamicMaskSize)), ivec2(0), ivec2(history.dynamicMaskSize) - 1);
+    ivec2 texel =
+        clamp(ivec2(floor(test.place * history.dynamicMaskSize)), ivec2(0), ivec2(history.dynamicMaskSize) - 1);
     return test.depth >= 0.9999 * mapDistance(texelFetch(dynamicMask, ivec3(texel, 0), 0).x);
 }
 
 bool moves(uint id) { return history.dynamicMaskSize > 0.0 && texelFetch(dynamicFlags, int(id)).x != 0u; }
 
-// Equation 4, with the surface's own motion: where the surface point was one frame ago, and what was known of it. As
-// published only the camera is followed, and the distance is compared; else every one of the four texels must have seen
-// the receiver's plane.
-vec4 reprojected(Seen seen, uvec2 pixel, out bool receiverMoves) {
-    bool published = setting.as_published;
+// Where the pixel's surface point was one frame ago.
+struct PastPoint {
+    vec3 position;  // world space less the origin
+    vec3 normal;
+    vec3 eye;
+    mat3 rays;
+    float distance;  // along the ray of its image position; not positive: behind the camera
+    vec2 pixel;      // position in the history, texel centres at whole numbers
+};
+
+PastPoint pastPointOf(Seen seen, uvec2 pixel) {
     float u = seen.receiver.time;
     MovingTriangle before = fetchTriangle(seen.id);
-    if (!published) before = fetchPrevious(seen.id);
-    receiverMoves = moves(seen.id);  // as published the mask is not made
+    if (!setting.as_published) before = fetchTriangleFrom(previousPositions, seen.id);
     Receiver was = pointAt(before, seen.id, seen.receiver.barycentrics, u);
-    mat3 rays = previousRays(u);
-    vec3 eye = mix(history.previousEyeOpen.xyz, history.previousEyeClose.xyz, u);
-    vec3 q = inverse(rays) * (was.position - eye);
-    if (!(q.z > 0.0)) return vec4(0.0);
-    // A pixel's history is that of its own sample position, so the way is what counts, not the place inside the pixel.
+    PastPoint p;
+    p.position = was.position;
+    p.normal = cross(was.edge1, was.edge2);
+    p.normal *= inversesqrt(max(dot(p.normal, p.normal), 1e-30));
+    p.rays = previousRays(u);
+    p.eye = mix(history.previousEyeOpen.xyz, history.previousEyeClose.xyz, u);
+    vec3 q = inverse(p.rays) * (was.position - p.eye);
+    p.distance = q.z;
+    // A pixel's history is that of its own sample position, so the displacement counts, not the position in the pixel.
     vec2 here = vec2(pixel) + samplePattern(pixel, seen.stratum, frame.seed, SALT_CAMERA).xy;
-    vec2 position = vec2(pixel) + (q.xy / q.z * cameraView.size - here);
-    // Rounding must not make a camera that stands still read its neighbours.
-    vec2 nearest = floor(position + 0.5);
-    if (all(lessThan(abs(position - nearest), vec2(1e-3)))) position = nearest;
-    ivec2 corner = ivec2(floor(position));
-    vec2 part = position - vec2(corner);
-    vec3 normal = cross(was.edge1, was.edge2);
-    normal *= inversesqrt(max(dot(normal, normal), 1e-30));
+    p.pixel = vec2(pixel) + (q.xy / q.z * cameraView.size - here);
+    // Rounding must not make a static camera read neighbouring texels.
+    vec2 nearest = floor(p.pixel + 0.5);
+    if (all(lessThan(abs(p.pixel - nearest), vec2(1e-3)))) p.pixel = nearest;
+    return p;
+}
+
+// Equation 4 of Scherzer, Jeschke and Wimmer 2007, with the surface's own motion: the history of the surface point
+// where it was one frame ago. As published only the camera is followed, and the distance is compared; else every one of
+// the four texels must have seen the receiver's plane.
+vec4 reprojected(Seen seen, uvec2 pixel) {
+    bool published = setting.as_published;
+    PastPoint was = pastPointOf(seen, pixel);
+    if (!(was.distance > 0.0)) return vec4(0.0);
+    ivec2 corner = ivec2(floor(was.pixel));
+    vec2 part = was.pixel - vec2(corner);
     vec4 sum = vec4(0.0);
     float weights = 0.0, oldest = 1e7;
     uint sure = HISTORY_MAX_SURE;
     for (int i = 0; i < 4; ++i) {
         ivec2 texel = corner + ivec2(i & 1, i >> 1);
         float weight = ((i & 1) == 0 ? 1.0 - part.x : part.x) * ((i >> 1) == 0 ? 1.0 - part.y : part.y);
-        if (!(weight > 0.0) || any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(cameraView.size)))) continue;
+        bool inImage = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(cameraView.size)));
+        if (!(weight > 0.0) || !inImage) continue;
         vec4 h = texelFetch(past, texel, 0);
         if (!plausible(h)) continue;
-        vec2 at = (vec2(texel) + samplePattern(uvec2(texel), stratumOf(h), frame.seed, SALT_CAMERA).xy) / cameraView.size;
-        vec3 point = eye + rays * vec3(at, 1.0) * h.z;
-        float off = published ? abs(h.z - q.z) : abs(dot(normal, point - was.position));
-        if (!published && off > history.threshold * q.z) continue;
-        if (!published) h.xy *= min(1.0, history.memory / h.y);  // or what is proven next to it would outweigh all
+        vec2 offset = samplePattern(uvec2(texel), stratumOf(h), frame.seed, SALT_CAMERA).xy;
+        vec2 at = (vec2(texel) + offset) / cameraView.size;
+        vec3 point = was.eye + was.rays * vec3(at, 1.0) * h.z;
+        float off = published ? abs(h.z - was.distance) : abs(dot(was.normal, point - was.position));
+        if (!published && off > history.threshold * was.distance) continue;
+        if (!published)
+            h.xy *= min(1.0, history.memory / h.y);  // or a proven texel beside it would outweigh all others
         sum += weight * vec4(h.xy, off, 0.0);
         weights += weight;
         oldest = min(oldest, ageOf(h));
         sure = min(sure, sureOf(h));
     }
-    if (published && (weights < 0.999 || sum.z > history.threshold * q.z)) return vec4(0.0);
+    if (published && (weights < 0.999 || sum.z > history.threshold * was.distance)) return vec4(0.0);
     if (weights < 1e-3) return vec4(0.0);
-    return vec4(sum.xy / weights, q.z, packedAge(oldest, sure, 0u));
+    return vec4(sum.xy / weights, was.distance, packedAge(oldest, sure, 0u));
 }
 #endif
 
 // Distance along the ray of its image position, as the camera measures it at the receiver's time.
 float distanceOf(Receiver r, vec2 position) {
-    vec3 v = mix((cameraView.viewFromWorldOpen * vec4(r.position, 1.0)).xyz, (cameraView.viewFromWorldClose * vec4(r.position, 1.0)).xyz, r.time);
+    float distance = inCameraAt(r.position, r.position, r.time).z;
 #ifdef CAMERA_TURNS
-    return v.z / mix((cameraView.raysOpen * vec4(position, 1.0, 0.0)).xyz, (cameraView.raysClose * vec4(position, 1.0, 0.0)).xyz, r.time).z;
+    return distance / cameraRayAt(position, r.time).z;
 #else
-    return v.z;
+    return distance;
 #endif
 }
 
-#ifdef TRIES_TRIANGLES
-// For how long a pixel rests, after `tests` with a camera at rest of which the last `sure` were sure of every sample, and where it has to be woken.
-uint retestPeriodOf(float tests, uint sure, bool isProven, vec2 low, vec2 high) {
-    uint period = history.keepsProof == 0u && tests >= RETEST_DOUBT_AFTER ? RETEST_PERIOD_DOUBT : 0u;
-    if (sure >= RETEST_SURE_AFTER) period = RETEST_PERIOD_SURE;
-    if (isProven) period = RETEST_NEVER;
-    if (history.mayConverge == 0u) period = 0u;
-    uvec2 first = uvec2(clamp(low * float(RETEST_SIDE), vec2(0.0), vec2(RETEST_SIDE - 1)));
-    uvec2 last = uvec2(clamp(high * float(RETEST_SIDE), vec2(0.0), vec2(RETEST_SIDE - 1)));
-    return first.x | (first.y << RETEST_CELL_BITS) | (last.x << (2 * RETEST_CELL_BITS)) | (last.y << (3 * RETEST_CELL_BITS)) | (period << RETEST_PERIOD_SHIFT);
+void addTest(inout PixelTests tests, ShadowTest test, uint stratum) {
+    float weight = max(confidenceWeight(test.confidence, history.exponent), 1e-12);
+    // Where proof does not last it must not outweigh the other tests.
+    if (history.triesTriangles != 0u && history.keepsProof == 0u) weight = 1.0 / history.weightScale;
+    tests.testedStrata |= 1u << stratum;
+    tests.sure = tests.sure && test.sure;
+    tests.low = min(tests.low, test.place);
+    tests.high = max(tests.high, test.place);
+    tests.proven = tests.proven && test.proven;
+    tests.count += 1.0;
+    tests.litSum += test.lit;
+    tests.weightSum += weight;
+    tests.weightedLit += weight * test.lit;
 }
-#endif
 
-void main() {
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
-    outputHistory = vec4(0.0);
-    Seen seen;
-    seen.any = false;
-    bool dynamicPixels = false, anyMoves = false, sure = true;
-    vec2 low = vec2(1.0), high = vec2(0.0);  // nowhere: the last cell before the first
-    float tested = 0.0, litSum = 0.0, weightSum = 0.0, weightedLit = 0.0;
-    uint facing = 0u;
-    bool proven = history.keepsProof != 0u;
+// Tests every sample of the pixel that faces the light, and writes its own lit value.
+PixelTests testPixel(uvec2 pixel) {
+    PixelTests tests = noTests();
     for (uint stratum = 0u; stratum < frame.strata; ++stratum) {
         ivec3 place = ivec3(pixel, stratum);
         uint id = texelFetch(sampleIds, place, 0).x;
@@ -138,7 +173,7 @@ void main() {
         }
 #ifdef MOVED
         bool receiverMoves = moves(id);
-        anyMoves = anyMoves || receiverMoves;
+        tests.receiverMoves = tests.receiverMoves || receiverMoves;
 #endif
         MovingTriangle t = fetchTriangle(id);
         Receiver r = receiverOf(t, id, pixel, stratum);
@@ -148,87 +183,103 @@ void main() {
         }
         ShadowTest test = testShadow(pointAt(t, id, r.barycentrics, history.instant), history.instant);
 #ifdef MOVED
-        bool overlappedHere = history.dynamicMaskSize > 0.0 && overlappedByDynamicCaster(test);
-        if ((overlappedHere || receiverMoves) && test.guessedDark) test.lit = 0.0;
-        dynamicPixels = dynamicPixels || overlappedHere;
+        bool overlapped = history.dynamicMaskSize > 0.0 && overlappedByDynamicCaster(test);
+        if ((overlapped || receiverMoves) && test.guessedDark) test.lit = 0.0;
+        tests.overlapped = tests.overlapped || overlapped;
 #endif
-        float weight = max(confidenceWeight(test.confidence, history.exponent), 1e-12);
-        // Where proof can't stay it must not outweigh the other answers.
-        if (history.triesTriangles != 0u && history.keepsProof == 0u) weight = 1.0 / history.weightScale;
-        facing |= 1u << stratum;
-        sure = sure && test.sure;
-        low = min(low, test.place);
-        high = max(high, test.place);
-        proven = proven && test.proven;
-        tested += 1.0;
-        litSum += test.lit;
-        weightSum += weight;
-        weightedLit += weight * test.lit;
+        addTest(tests, test, stratum);
         imageStore(visibility, place, vec4(test.lit));
-        // The pixel is known by the sample in the middle of the shutter, or the last before it that sees a surface to test.
-        if (!seen.any || stratum <= frame.strata / 2u) {
-            seen.any = true;
-            seen.id = id;
-            seen.stratum = stratum;
-            seen.receiver = r;
-        }
+        // The history is about the sample at the centre of the shutter, or the last before it that sees a surface to
+        // test.
+        if (!tests.seen.any || stratum <= frame.strata / 2u) tests.seen = Seen(true, id, stratum, r);
     }
-#ifdef TRIES_TRIANGLES
-    outputPeriod = retestPeriodOf(0.0, 0u, !anyMoves, low, high);
-#endif
-    if (!seen.any) return;
-    float lit = litSum / tested, weight = weightSum / tested;
+    return tests;
+}
 
-    vec4 before = vec4(0.0);
-    if (history.hasPast != 0u) {
+// What the history holds of the pixel's surface; 0 where nothing of it may be used. `lit`: of this frame.
+vec4 pastOf(PixelTests tests, uvec2 pixel, float lit) {
+    if (history.hasPast == 0u) return vec4(0.0);
 #ifdef MOVED
-        bool knownMoves;
-        before = reprojected(seen, pixel, knownMoves);
-        if (knownMoves) {
-            // Its way through the light is unknown: the past may stay as long as the test agrees with it.
-            if (!(abs(before.x - lit * before.y) <= 0.02 * before.y)) before = vec4(0.0);
-            before.xy *= min(1.0, 2.0 / max(before.y, 1e-12));
-        } else if (dynamicPixels && !setting.as_published) {
-            before = vec4(0.0);
-        }
+    vec4 before = reprojected(tests.seen, pixel);
+    if (moves(tests.seen.id)) {  // as published the mask is not made
+        // Its path through the light is unknown: the past may stay as long as the test agrees with it.
+        if (!(abs(before.x - lit * before.y) <= 0.02 * before.y)) before = vec4(0.0);
+        before.xy *= min(1.0, 2.0 / max(before.y, 1e-12));
+    } else if (tests.overlapped && !setting.as_published) {
+        before = vec4(0.0);
+    }
 #else
-        before = texelFetch(past, ivec2(pixel), 0);
+    vec4 before = texelFetch(past, ivec2(pixel), 0);
 #endif
-        if (!plausible(before)) before = vec4(0.0);
-    }
+    return plausible(before) ? before : vec4(0.0);
+}
 
-    bool hasPast = before.y > 0.0;
-    float shown = lit;
+// The pixel's merged lit value, and what the history holds of it from now on.
+float mergedLit(PixelTests tests, vec4 before, float lit, out vec2 merged) {
     if (setting.as_published) {
-        shown = hasPast ? smoothed(before.x, lit, weight) : lit;
-        outputHistory.xy = vec2(unpackHalf2x16(packHalf2x16(vec2(shown, 0.0))).x, 1.0);
-        shown = outputHistory.x;
-    } else {
-        before.xy *= min(1.0, history.memory / max(before.y, 1e-12));
-        vec2 sum = before.xy + history.weightScale * vec2(weightedLit, weightSum) / tested;
-        sum *= min(1.0, HISTORY_MAX_WEIGHT / sum.y);
-        outputHistory.xy = vec2(clamp(sum.x, 0.0, sum.y), sum.y);
-        if (proven) outputHistory.xy = vec2(0.0, HISTORY_PROVEN_WEIGHT);
-        shown = clamp(0.5 + (outputHistory.x / outputHistory.y - 0.5) * history.sharpness, 0.0, 1.0);
+        float weight = tests.weightSum / tests.count;
+        float shown = before.y > 0.0 ? smoothed(before.x, lit, weight) : lit;
+        merged = vec2(unpackHalf2x16(packHalf2x16(vec2(shown, 0.0))).x, 1.0);
+        return merged.x;
     }
-    vec2 position = (vec2(pixel) + samplePattern(pixel, seen.stratum, frame.seed, SALT_CAMERA).xy) / cameraView.size;
-    outputHistory.z = distanceOf(seen.receiver, position);
-    float age = hasPast ? ageOf(before) + 1.0 : 1.0;
-    // Beside what moves, and while the camera does, a pixel can't know.
-    bool disturbed = anyMoves || dynamicPixels || history.mayConverge == 0u;
-    uint sureTests = sure && !disturbed ? min(hasPast ? sureOf(before) + 1u : 1u, HISTORY_MAX_SURE) : 0u;
-    outputHistory.w = packedAge(age, sureTests, seen.stratum);
-#ifdef TRIES_TRIANGLES
-    outputPeriod = retestPeriodOf(disturbed ? 0.0 : min(age, float(history.round)), sureTests, proven && !disturbed, low, high);
-#endif
+    before.xy *= min(1.0, history.memory / max(before.y, 1e-12));
+    vec2 sum = before.xy + history.weightScale * vec2(tests.weightedLit, tests.weightSum) / tests.count;
+    sum *= min(1.0, HISTORY_MAX_WEIGHT / sum.y);
+    merged = vec2(clamp(sum.x, 0.0, sum.y), sum.y);
+    if (tests.proven) merged = vec2(0.0, HISTORY_PROVEN_WEIGHT);
+    return clamp(0.5 + (merged.x / merged.y - 0.5) * history.sharpness, 0.0, 1.0);
+}
 
-    if (shown == lit) return;
+// Darkens or brightens the samples in proportion, so that samples of different surfaces keep their differences.
+void scaleSamples(uvec2 pixel, uint testedStrata, float lit, float shown) {
     for (uint stratum = 0u; stratum < frame.strata; ++stratum) {
-        if ((facing & (1u << stratum)) == 0u) continue;
+        if ((testedStrata & (1u << stratum)) == 0u) continue;
         ivec3 place = ivec3(pixel, stratum);
         float own = imageLoad(visibility, place).x;
-        // Darker or brighter in proportion, so that samples of different surfaces keep their differences.
         own = shown < lit ? own * (shown / lit) : 1.0 - (1.0 - own) * ((1.0 - shown) / (1.0 - lit));
         imageStore(visibility, place, vec4(clamp(own, 0.0, 1.0)));
     }
+}
+
+#ifdef TRIES_TRIANGLES
+// The re-test period of a pixel after `frames` tests with a static camera, of which the last `sure` were sure of every
+// sample; and the cells of the light's map in which dynamic casters invalidate it.
+uint retestPeriodOf(PixelTests tests, float frames, uint sure, bool isProven) {
+    uint period = history.keepsProof == 0u && frames >= RETEST_DOUBT_AFTER ? RETEST_PERIOD_DOUBT : 0u;
+    if (sure >= RETEST_SURE_AFTER) period = RETEST_PERIOD_SURE;
+    if (isProven) period = RETEST_NEVER;
+    if (history.mayConverge == 0u) period = 0u;
+    uvec2 first = uvec2(clamp(tests.low * float(RETEST_SIDE), vec2(0.0), vec2(RETEST_SIDE - 1)));
+    uvec2 last = uvec2(clamp(tests.high * float(RETEST_SIDE), vec2(0.0), vec2(RETEST_SIDE - 1)));
+    return first.x | (first.y << RETEST_CELL_BITS) | (last.x << (2 * RETEST_CELL_BITS)) |
+           (last.y << (3 * RETEST_CELL_BITS)) | (period << RETEST_PERIOD_SHIFT);
+}
+#endif
+
+void main() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    outputHistory = vec4(0.0);
+    PixelTests tests = testPixel(pixel);
+#ifdef TRIES_TRIANGLES
+    outputPeriod = retestPeriodOf(tests, 0.0, 0u, !tests.receiverMoves);
+#endif
+    if (!tests.seen.any) return;
+    float lit = tests.litSum / tests.count;
+    vec4 before = pastOf(tests, pixel, lit);
+    vec2 merged;
+    float shown = mergedLit(tests, before, lit, merged);
+
+    vec2 offset = samplePattern(pixel, tests.seen.stratum, frame.seed, SALT_CAMERA).xy;
+    float distance = distanceOf(tests.seen.receiver, (vec2(pixel) + offset) / cameraView.size);
+    bool hasPast = before.y > 0.0;
+    float age = hasPast ? ageOf(before) + 1.0 : 1.0;
+    // Beside dynamic triangles, and while the camera moves, no test is sure.
+    bool disturbed = tests.receiverMoves || tests.overlapped || history.mayConverge == 0u;
+    uint sureTests = tests.sure && !disturbed ? min(hasPast ? sureOf(before) + 1u : 1u, HISTORY_MAX_SURE) : 0u;
+    outputHistory = vec4(merged, distance, packedAge(age, sureTests, tests.seen.stratum));
+#ifdef TRIES_TRIANGLES
+    float frames = disturbed ? 0.0 : min(age, float(history.round));
+    outputPeriod = retestPeriodOf(tests, frames, sureTests, tests.proven && !disturbed);
+#endif
+    if (shown != lit) scaleSamples(pixel, tests.testedStrata, lit, shown);
 }

@@ -1,7 +1,8 @@
-// The shadow map test of a surface point and how sure it is.
-// TRIES_TRIANGLES: the map's triangles are tried as well.
+// The shadow map test of a surface point, and its confidence.
+//
+// TRIES_TRIANGLES: the triangles that the map saw are tested against the point's own ray as well.
+#include "lib/segment_test.glsl"
 #include "techniques/history/blocks.glsl"
-#include "shared/segment_triangle.shared.h"
 
 uniform sampler2DArray shadowMap;
 #ifdef TRIES_TRIANGLES
@@ -11,14 +12,15 @@ uniform usampler2DArray mapTriangles;
 struct ShadowTest {
     float lit;         // 0, 1, or the mean over the texels of the filter
     float confidence;  // equation 5; 0 outside the map
-    bool proven;       // a triangle that the ray to the light meets
-    bool sure;         // that, or nothing around that might hide the point
-    bool guessedDark;  // lit, if there is time to find a proof of the contrary; else better taken to be dark
+    bool proven;       // shadowed by a triangle that the segment to the light was found to meet
+    bool sure;         // proven, or nothing around that might shadow the point
+    bool guessedDark;  // lit, if later frames can still find a triangle that shadows it; else better taken to be
+                       // shadowed
     vec2 place;        // in the light's map plane
     float depth;       // distance from the light's plane
 };
 
-// The receiver's place in this frame's map, which is turned and shifted (or warped) against the light's map plane.
+// The receiver's position in this frame's map, which is turned and shifted (or warped) against the light's map plane.
 struct WarpedPoint {
     vec2 texel;  // position in texels
     MapPoint m;  // with slope and texel as the warped map has them
@@ -38,7 +40,9 @@ WarpedPoint warpedPointOf(Receiver r, float u) {
     vec2 rowX = (vec2(warp[0].x, warp[1].x) - p.m.position.x * weightRow.xy) / h.z;
     vec2 rowY = (vec2(warp[0].y, warp[1].y) - p.m.position.y * weightRow.xy) / h.z;
     float area = rowX.x * rowY.y - rowX.y * rowY.x;
-    p.m.slope = vec2(rowY.y * p.plane.slope.x - rowY.x * p.plane.slope.y, rowX.x * p.plane.slope.y - rowX.y * p.plane.slope.x) / area;
+    p.m.slope =
+        vec2(rowY.y * p.plane.slope.x - rowY.x * p.plane.slope.y, rowX.x * p.plane.slope.y - rowX.y * p.plane.slope.x) /
+        area;
     p.m.texel = p.plane.texel * inversesqrt(abs(area));
     return p;
 }
@@ -66,35 +70,35 @@ struct Trial {
     float height;  // the least of the triangle's heights seen from the receiver, in texels
 };
 
-Trial tryTriangle(MovingTriangle t, Receiver r, float u, vec3 toLight, float texel) {
-    vec3 v0 = vertexFromReceiver(t.open0, t.close0, u, r.position), v1 = vertexFromReceiver(t.open1, t.close1, u, r.position),
-         v2 = vertexFromReceiver(t.open2, t.close2, u, r.position);
+Trial tryTriangle(VertexMotion t, Receiver r, float u, vec3 toLight, float texel) {
+    SeenVertices seen = seenVertices(t, r.position, u);
+    vec3 v0 = seen.v0, v1 = seen.v1, v2 = seen.v2;
     Trial trial = Trial(segmentMeetsTriangle(toLight, v0, v1, v2, 0.0), 0.0);
     if (trial.met) return trial;
-    vec3 way = normalize(toLight), edge0 = cross(way, v2 - v1), edge1 = cross(way, v0 - v2), edge2 = cross(way, v1 - v0);
+    vec3 way = normalize(toLight);
+    vec3 edge0 = cross(way, v2 - v1), edge1 = cross(way, v0 - v2), edge2 = cross(way, v1 - v0);
     float longest = sqrt(max(dot(edge0, edge0), max(dot(edge1, edge1), dot(edge2, edge2))));
     trial.height = abs(dot(edge1, v2 - v1)) / max(longest * texel, 1e-30);
     return trial;
 }
 
-// Beyond the paper: the triangles that the four texels around the receiver saw are tried against the receiver's own ray to the
-// light. One that it meets is proof that the receiver is dark, wherever the texel's centre lies. Where none is met, though
-// not all four see something nearer than the receiver's plane, an edge of a shadow runs by: a dark answer is then another
-// point's. Where there is time, whatever is dark finds its proof in the end. Else only a triangle wider than a texel is known to
-// end here, and has not just been followed by one that no texel saw.
+// Beyond the paper: the triangles that the four texels around the receiver saw are tested against the receiver's own
+// segment to the light. One that it meets proves that the receiver is shadowed, wherever the texel's centre lies. Where
+// none is met, though not all four texels see something nearer than the receiver's plane, an edge of a shadow runs by,
+// and a texel that sees a caster says nothing about this point. If frames follow without motion, whatever is shadowed
+// will be proven so. Else a caster of at least a texel's height is known to end here; a smaller one may continue in a
+// triangle that no texel saw.
 ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
     ivec2 nearest = ivec2(floor(p.texel)), corner = ivec2(floor(p.texel - 0.5));
-    bool inside = all(greaterThanEqual(nearest, ivec2(0))) && all(lessThan(nearest, ivec2(lightView.size)));
-    ShadowTest test = ShadowTest(1.0, inside ? shadowTestConfidence(p.texel) : 0.0, false, true, false, p.plane.position, p.plane.depth);
+    bool inside = insideMap(nearest);
+    ShadowTest test = ShadowTest(1.0, inside ? shadowTestConfidence(p.texel) : 0.0, false, true, false,
+                                 p.plane.position, p.plane.depth);
     vec3 place = vec3((vec2(corner) + 1.0) / lightView.size, 0.0);
     uvec4 triangles = textureGather(mapTriangles, place);
-    // No triangle hides its own points: most of what is lit ends here.
+    // No triangle shadows its own points: most lit receivers end here.
     if (all(equal(triangles, uvec4(r.triangle)))) return test;
     vec4 stored = textureGather(shadowMap, place);
-    vec3 toLight = towardsLight(r.position, u);
-#ifdef LIGHT_ORTHOGRAPHIC
-    toLight *= lightView.farDistance;
-#endif
+    vec3 toLight = segmentToLight(r.position, u);
     // The nearest first, in gather's order: (0, 1), (1, 1), (1, 0), (0, 0).
     ivec2 offset = nearest - corner;
     int first = offset.y == 1 ? offset.x : 3 - offset.x;
@@ -108,7 +112,7 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
         float inverseWeight;
         float before = planeDepthAtTexel(p, texel, inverseWeight), caster = mapDistance(stored[i] / inverseWeight);
         before -= caster;
-        // What is proven needs no bias, so that contacts are right.
+        // An exact test needs no bias, so that contacts are right.
         if (before <= 0.0) continue;
         if (before > setting.bias * p.m.texel) {
             ++nearer;
@@ -121,7 +125,7 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
 #else
         float width = p.m.texel * caster / p.plane.depth;
 #endif
-        Trial trial = tryTriangle(fetchTriangle(id), r, u, toLight, width);
+        Trial trial = tryTriangle(fetchMotion(trianglePositions, id, true), r, u, toLight, width);
         if (trial.met) return ShadowTest(0.0, 1.0, true, true, false, p.plane.position, p.plane.depth);
         if (k == 0 && nearer == 1u && trial.height < 1.0) dark = true;
     }
@@ -131,7 +135,7 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
 }
 #else
 float litByTexel(WarpedPoint p, ivec2 texel, float publishedDepth) {
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(lightView.size)))) return 1.0;
+    if (!insideMap(texel)) return 1.0;
     float inverseWeight;
     float planeDepth = planeDepthAtTexel(p, texel, inverseWeight) - setting.bias * p.m.texel;
     float caster = mapDistance(texelFetch(shadowMap, ivec3(texel, 0), 0).x / inverseWeight);
@@ -155,8 +159,7 @@ ShadowTest testShadow(Receiver r, float u) {
     for (int y = -radius; y <= radius; ++y)
         for (int x = -radius; x <= radius; ++x) test.lit += litByTexel(p, texel + ivec2(x, y), publishedDepth);
     test.lit /= float((2 * radius + 1) * (2 * radius + 1));
-    bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(lightView.size)));
-    test.confidence = inside ? shadowTestConfidence(p.texel) : 0.0;
+    test.confidence = insideMap(texel) ? shadowTestConfidence(p.texel) : 0.0;
     return test;
 #endif
 }

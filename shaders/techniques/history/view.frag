@@ -1,5 +1,5 @@
-// What the technique knows of each pixel. VIEW: 0 this frame's mean confidence, 1 frames in the history, 2 whether a past
-// was looked for in vain.
+// Diagnostics of the history per pixel. view: 0 this frame's mean confidence, 1 frames in the history, 2 whether a past
+// was looked for and rejected.
 #include "techniques/history/map_test.glsl"
 #include "techniques/history/texel.glsl"
 

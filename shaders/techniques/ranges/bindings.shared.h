@@ -3,7 +3,7 @@
 #endif
 #include "shared/frame_blocks.shared.h"
 
-// Storage blocks and textures of the technique `ranges`.
+// Storage blocks of the technique `ranges`.
 #define RANGES_IDS_BINDING (TECHNIQUE_STORAGE_BINDING)
 #define RANGES_TIMES_BINDING (TECHNIQUE_STORAGE_BINDING + 1)
 #define RANGES_DISTANCES_BINDING (TECHNIQUE_STORAGE_BINDING + 2)
@@ -16,5 +16,3 @@
 #define LINKED_RANGE_HEADS_BINDING (TECHNIQUE_STORAGE_BINDING + 2)
 #define LINKED_COUNTS_BINDING (TECHNIQUE_STORAGE_BINDING + 3)
 #define LINKED_RANGES_BINDING (TECHNIQUE_STORAGE_BINDING + 4)
-#define RANGE_WORDS 6
-#define NO_ENTRY 0xffffffffu

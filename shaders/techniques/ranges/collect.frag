@@ -1,5 +1,6 @@
-// One texel of a prism's surface: when the triangle comes or goes there, at which distance, and how both change from there to the rest of
-// the texel. Drawn twice, without and with FILL: to count the fragments of each texel, and to put them into its list.
+// One texel of a prism's surface: when the triangle begins or ceases to cover its centre, at which distance, and how
+// both change from there to the rest of the texel. Drawn twice, without and with FILL: to count the fragments of each
+// texel, and to put them into its list.
 #include "lib/blocks.glsl"
 #include "lib/cell_lists.glsl"
 #include "techniques/ranges/prism_parts.glsl"
@@ -15,7 +16,7 @@ flat in uint prismPart;
 flat in uint prismMoves;
 flat in vec3 prismTwist;
 
-#include "lib/texel_width.glsl"
+#include "lib/light_projection.glsl"
 #include "shared/prism_side.shared.h"
 #include "techniques/ranges/fragment_lists.glsl"
 
@@ -39,9 +40,10 @@ SurfacePoint interpolatedPoint() {
     return p;
 }
 
-// A side is bilinear, and what is drawn are four flat triangles. From the point of the side with this point's place and time, which another texel
-// sees, back to the texel's centre, along the slopes here. Where that would take longer than the fan is ever off in time for an edge that moves
-// more than it turns, slopes say nothing of what is so far away.
+// A side is bilinear, and what is drawn are four flat triangles. The point of the side with this point's place and time
+// is seen by another texel; from there the slopes lead back to this texel's centre. Where that would change the time by
+// more than the fan is ever off for an edge that moves more than it turns, slopes are no guide so far away, and the
+// change is limited.
 void moveToSide(inout SurfacePoint p, float place) {
     const float longest = 1.0 / 16.0;
     vec3 beyond = beyondFan(place, p.time) * prismTwist;
@@ -56,8 +58,9 @@ void moveToSide(inout SurfacePoint p, float place) {
     p.distance += share * (beyond.z - dot(p.rise, away));
 }
 
-// Slopes are followed to the rest of the texel as far as the triangle's edge is long: an edge that slides along itself would else cover the
-// texel for as long as the line through it does, with the plane of a triangle that has long gone by.
+// Slopes are followed to the rest of the texel as far as the triangle's edge is long: an edge that slides along itself
+// would else cover the texel for as long as the line through it does, with the plane of a triangle that has passed long
+// before.
 void holdToEdge(inout SurfacePoint p, float place, vec2 placeSlope) {
     float share = stepWithinEdge(p.timeSlope, placeSlope, place);
     p.timeSlope *= share;
@@ -66,8 +69,9 @@ void holdToEdge(inout SurfacePoint p, float place, vec2 placeSlope) {
 
 // Two halves each; distances in texels, so that the size of the world does not matter.
 uvec2 packedSlopes(SurfacePoint p) {
-    const float largestHalf = 65504.0;
-    return uvec2(packHalf2x16(p.timeSlope), packHalf2x16(clamp(p.rise / texelWidth(p.distance), -largestHalf, largestHalf)));
+    const float MAX_HALF = 65504.0;
+    vec2 rise = clamp(p.rise / texelWidth(p.distance), -MAX_HALF, MAX_HALF);
+    return uvec2(packHalf2x16(p.timeSlope), packHalf2x16(rise));
 }
 #endif
 
@@ -77,16 +81,17 @@ void main() {
     SurfacePoint p = interpolatedPoint();
     float place = 1.0 - prismCorners[max(prismPart, PART_SIDE) - PART_SIDE];
     vec2 placeSlope = vec2(dFdx(place), dFdy(place));
-    bool seenFlat = all(lessThan(abs(p.timeSlope), vec2(1e4))) && all(lessThan(abs(p.rise), vec2(1e15)));  // false for what is no number, too
+    // False for NaN, too.
+    bool seenFlat = all(lessThan(abs(p.timeSlope), vec2(1e4))) && all(lessThan(abs(p.rise), vec2(1e15)));
     if (prismPart < PART_SIDE) {
-        p.time = float(prismPart - PART_OPEN);  // known; interpolating it would only round it
+        p.time = float(prismPart - PART_OPEN);  // interpolation would round it
         p.timeSlope = vec2(0.0);
     } else if (seenFlat) {
         moveToSide(p, place);
         holdToEdge(p, place, placeSlope);
     }
-    if (!seenFlat) p.timeSlope = p.rise = vec2(0.0);  // seen edge on: no slope that can be told
-    if (prismMoves == 0u) p.rise = vec2(0.0);  // no more than an ordinary map knows: the answers must not depend on the plan
+    if (!seenFlat) p.timeSlope = p.rise = vec2(0.0);  // seen edge-on: slopes are not defined
+    if (prismMoves == 0u) p.rise = vec2(0.0);         // as in an ordinary map: lit values must not depend on the plan
     fragmentTimes[slot] = clamp(p.time, 0.0, 1.0);
     fragmentDistances[slot] = p.distance;
     fragmentSlopes[slot] = packedSlopes(p);

@@ -1,18 +1,19 @@
-// Turns each texel's fragments into ranges, in place: sorted by triangle and time, two in a row are the beginning and the end
-// of one visit. (Hong and Oh 2019 sort by depth, which pairs wrongly where a triangle comes twice.) The order
-// depends on the fragments alone, so it does not matter how they came into the list.
-// An odd count is a prism that is not closed: the near plane took a part of it, or the rasteriser was not consistent. Its last
-// fragment stands for a visit that lasts to the shutter's close, or from its open, by which cap is missing. Each list has room for an
-// even number, so that ranges begin at even places; there is always room for one such visit, not for all of several.
+// Turns each texel's fragments into ranges, in place: sorted by triangle and time, two in a row are the beginning and
+// the end of one coverage interval. (Hong and Oh 2019 sort by depth, which pairs wrongly where a triangle covers the
+// texel twice.) The order depends on the fragments alone, not on their order in the list before. A triangle with an
+// unpaired fragment has a prism that is not closed: the near plane cut a part of it off, or the rasteriser was not
+// consistent. The fragment then stands for an interval that lasts to the shutter's close, or from its open, by which
+// cap is missing. Each list has room for an even number, so that ranges begin at even places; there is always room for
+// one such interval, not for all of several.
 #include "techniques/ranges/fragment_lists.glsl"
 #include "lib/cell_lists.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = LIST_OFFSETS_BINDING) readonly buffer ListOffsets { uint listOffsets[]; };
 layout(std430, binding = RANGES_COUNTS_BINDING) buffer RangeCounts {
-    uint unpairedLists;      // texels with a triangle that left an odd number of fragments there
-    uint longestList;   // fragments
-    uint sparePlaces;   // of lists whose number of fragments is odd
+    uint unpairedLists;  // texels with a triangle that left an odd number of fragments there
+    uint longestList;    // fragments
+    uint sparePlaces;    // of lists whose number of fragments is odd
     uint emptyRanges;
 };
 uniform uint texels;
@@ -23,8 +24,8 @@ bool before(uint idA, float timeA, float distanceA, uint idB, float timeB, float
     return distanceA < distanceB;
 }
 
-// Is the list in order already, and does every triangle have an even number of fragments in it? Devices draw triangles mostly in
-// order, so that most lists are done with this one look.
+// Is the list sorted already, and does every triangle have an even number of fragments in it? Devices draw triangles
+// mostly in order, so that most lists need no more than this.
 void inspect(uint first, uint last, out bool sorted, out bool even) {
     sorted = true;
     even = ((last - first) & 1u) == 0u;
@@ -81,7 +82,7 @@ void pairUnpairedList(uint first, uint last, uint room) {
         while (end < last && fragmentIds[end] == id) ++end;
         uint pairs = (end - begin) / 2u, from = begin;
         if (((end - begin) & 1u) != 0u) {
-            bool opens = fragmentTimes[begin] == 0.0;  // the open cap is there: then it is an end that is missing
+            bool opens = fragmentTimes[begin] == 0.0;  // the open cap is there: then an end is missing
             uint alone = opens ? end - 1u : begin;
             lone = true;
             loneId = id;
@@ -91,7 +92,8 @@ void pairUnpairedList(uint first, uint last, uint room) {
         }
         for (uint pair = 0u; pair < pairs; ++pair) {
             uint i = from + 2u * pair;
-            putRange(to, id, vec2(fragmentTimes[i], fragmentTimes[i + 1u]), vec2(fragmentDistances[i], fragmentDistances[i + 1u]),
+            putRange(to, id, vec2(fragmentTimes[i], fragmentTimes[i + 1u]),
+                     vec2(fragmentDistances[i], fragmentDistances[i + 1u]),
                      uvec4(fragmentSlopes[i], fragmentSlopes[i + 1u]));
             to += 2u;
         }

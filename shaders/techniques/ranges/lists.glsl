@@ -1,5 +1,6 @@
 // The lists of either form, by one interface: nearerThan, summaryOf.
-#include "techniques/ranges/receiver_texel.glsl"
+#include "lib/texel_lists.glsl"
+#include "techniques/ranges/bindings.shared.h"
 #ifdef AS_PUBLISHED
 #include "techniques/ranges/linked_lists.glsl"
 #else

@@ -1,6 +1,8 @@
-// Depth-time ranges: is a moving triangle between the receiver and the light at the receiver's own time? Of each range of
-// the texel that holds that time, the distance then is interpolated between the range's ends (Hong and Oh 2019, section 3.3).
-// Still triangles are tested once, in an ordinary map; those that cross the light's near plane one by one, exactly.
+// Depth-time ranges: is a moving triangle between the receiver and the light at the receiver's own time? For each range
+// of the texel that holds that time, the distance then is interpolated between the range's ends (Hong and Oh 2019,
+// section 3.3). Static triangles are tested once, in an ordinary map; those that cross the light's near plane one by
+// one, exactly.
+//
 // AS_PUBLISHED: the published form's lists. STATIC_TRIANGLES, DYNAMIC_TRIANGLES, NEAR_TRIANGLES: there are such.
 #include "lib/lookup.glsl"
 #include "techniques/ranges/lists.glsl"

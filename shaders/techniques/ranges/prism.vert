@@ -1,6 +1,6 @@
-// The nine vertices of each prism: 0..2 the triangle at u = 0, 3..5 at u = 1, 6..8 the centres of its three sides. The index
-// buffer makes 14 triangles of them, each with its kind in the vertex that it ends with: so no vertex is computed twice,
-// and neighbouring triangles share theirs to the last bit, which keeps the surface closed.
+// The nine vertices of each prism: 0..2 the triangle at u = 0, 3..5 at u = 1, 6..8 the centres of its three sides. The
+// index buffer makes 14 triangles of them, each with its part in the vertex that it ends with: so no vertex is computed
+// twice, and neighbouring triangles share theirs to the last bit, which keeps the surface closed.
 #include "techniques/ranges/prism.glsl"
 #include "techniques/ranges/prism_parts.glsl"
 
@@ -12,7 +12,7 @@ out float prismDistance;
 #endif
 flat out uint prismId;
 flat out uint prismPart;
-flat out uint prismMoves;  // 0: the triangle stands still after all
+flat out uint prismMoves;  // 0: the triangle is static after all
 flat out vec3 prismTwist;  // of a side (shared/prism_side.shared.h)
 
 void main() {

@@ -1,4 +1,5 @@
-// Collection sub-pass as published (section 4.2): a linked list of fragments a texel, in one buffer that a counter deals out.
+// Collection sub-pass as published (Hong and Oh 2019, section 4.2): a linked list of fragments per texel, in one buffer
+// whose entries are allocated by a counter.
 #include "lib/blocks.glsl"
 #include "techniques/ranges/bindings.shared.h"
 #include "techniques/ranges/published_counts.glsl"

@@ -1,49 +1,55 @@
-// Generation sub-pass as published (section 4.3), one invocation a texel (the paper draws a full screen): the fragments of one triangle, sorted by depth, make a
-// range each two. What the paper leaves open: fragments of equal depth keep the order in which the list has them when it is
-// drawn in order (the caps, drawn last, come first; then by time); one that is left over is dropped, as are those beyond four.
+// Generation sub-pass as published (Hong and Oh 2019, section 4.3), one invocation per texel (the paper draws a full
+// screen): the fragments of one triangle, sorted by depth, make a range of every two. Chosen here, since the paper
+// leaves it open: fragments of equal depth keep the order in which the list has them when it is drawn in order (the
+// caps, drawn last, come first; then by time); an unpaired one is dropped, as are those beyond four.
+#include "shared/linked_intervals.shared.h"
 #include "techniques/ranges/bindings.shared.h"
 #include "techniques/ranges/published_counts.glsl"
 
 layout(std430, binding = LINKED_HEADS_BINDING) readonly buffer FragmentHeads { uint fragmentHeads[]; };
-layout(std430, binding = LINKED_FRAGMENTS_BINDING) buffer Fragments { uint fragments[]; };  // depth, time, triangle, next
+// Four words each: depth, time, triangle, next.
+layout(std430, binding = LINKED_FRAGMENTS_BINDING) buffer Fragments { uint fragments[]; };
 layout(std430, binding = LINKED_RANGE_HEADS_BINDING) writeonly buffer RangeHeads { uint rangeHeads[]; };
 layout(std430, binding = LINKED_RANGES_BINDING) writeonly buffer Ranges { uint ranges[]; };
 
 layout(local_size_x = 64) in;
 uniform uint texels;
 
-struct Visit { float depth; float time; };
+struct PrismFragment {
+    float depth;  // NDC depth, reversed: greater is nearer
+    float time;
+};
 
-bool isCap(Visit v) { return v.time == 0.0 || v.time == 1.0; }
+bool isCap(PrismFragment f) { return f.time == 0.0 || f.time == 1.0; }
 
-// Ascending distance; window depth is reversed.
-bool before(Visit a, Visit b) {
+// Ascending distance.
+bool before(PrismFragment a, PrismFragment b) {
     if (a.depth != b.depth) return a.depth > b.depth;
     if (isCap(a) != isCap(b)) return isCap(a);
     return a.time < b.time;
 }
 
-const Visit NO_INTERVAL = Visit(-1.0, 2.0);  // farther than any
+const PrismFragment NO_FRAGMENT = PrismFragment(-1.0, 2.0);  // farther than any
 
-Visit intervalAt(uint place) {
-    return Visit(uintBitsToFloat(fragments[4u * place]), uintBitsToFloat(fragments[4u * place + 1u]));
+PrismFragment fragmentAt(uint place) {
+    return PrismFragment(uintBitsToFloat(fragments[4u * place]), uintBitsToFloat(fragments[4u * place + 1u]));
 }
 
-// Puts a visit into its place among a and whatever comes behind, and hands on what has to move.
-void insert(inout Visit a, inout Visit visit) {
-    if (!before(visit, a)) return;
-    Visit other = a;
-    a = visit;
-    visit = other;
+// Inserts a fragment at a if it comes before, and returns in `fragment` the one that has to move on.
+void insert(inout PrismFragment a, inout PrismFragment fragment) {
+    if (!before(fragment, a)) return;
+    PrismFragment other = a;
+    a = fragment;
+    fragment = other;
 }
 
-uint addRange(Visit a, Visit b, uint id, uint next) {
+uint addRange(PrismFragment a, PrismFragment b, uint id, uint next) {
     if (a.time > b.time) {
-        Visit other = a;
+        PrismFragment other = a;
         a = b;
         b = other;
     }
-    uint place = atomicAdd(rangeCount, 1u), word = place * uint(RANGE_WORDS);
+    uint place = atomicAdd(rangeCount, 1u), word = place * uint(LINKED_INTERVAL_WORDS);
     ranges[word] = floatBitsToUint(a.time);
     ranges[word + 1u] = floatBitsToUint(b.time);
     ranges[word + 2u] = floatBitsToUint(a.depth);
@@ -56,22 +62,22 @@ uint addRange(Visit a, Visit b, uint id, uint next) {
 void main() {
     uint texel = gl_GlobalInvocationID.x;
     if (texel >= texels) return;
-    uint head = NO_ENTRY, length = 0u;
+    uint head = NO_INTERVAL, length = 0u;
     bool odd = false;
     uint place = fragmentHeads[texel];
-    while (place != NO_ENTRY) {
+    while (place != NO_INTERVAL) {
         uint id = fragments[4u * place + 2u];
         ++length;
         if (id != NO_TRIANGLE) {  // else taken already
-            Visit first = intervalAt(place), second = NO_INTERVAL, third = NO_INTERVAL, fourth = NO_INTERVAL;
+            PrismFragment first = fragmentAt(place), second = NO_FRAGMENT, third = NO_FRAGMENT, fourth = NO_FRAGMENT;
             uint count = 1u, other = fragments[4u * place + 3u];
-            while (other != NO_ENTRY) {
+            while (other != NO_INTERVAL) {
                 if (fragments[4u * other + 2u] == id) {
-                    Visit visit = intervalAt(other);
-                    insert(first, visit);
-                    insert(second, visit);
-                    insert(third, visit);
-                    insert(fourth, visit);
+                    PrismFragment fragment = fragmentAt(other);
+                    insert(first, fragment);
+                    insert(second, fragment);
+                    insert(third, fragment);
+                    insert(fourth, fragment);
                     fragments[4u * other + 2u] = NO_TRIANGLE;
                     ++count;
                 }

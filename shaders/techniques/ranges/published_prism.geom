@@ -1,20 +1,24 @@
-// The prism as published (Hong and Oh 2019, section 4.1): each side in four triangles about the mean of its four vertices at
-// t = 0.5, or in two about the point where the edge crosses its moved copy on the screen; then the two input triangles. Places are
-// taken as linear in the map between the ends of the shutter, as that crossing test and the later interpolation of window
-// depths take them: centres are means of projected vertices.
+// The prism as published (Hong and Oh 2019, section 4.1): each side in four triangles about the mean of its four
+// vertices at t = 0.5, or in two about the point where the edge crosses its moved copy on the screen; then the two
+// input triangles. Positions are taken as linear in the map between the ends of the shutter, as that crossing test and
+// the later interpolation of NDC depths take them: centres are means of projected vertices.
 #include "techniques/ranges/prism.glsl"
 
 layout(points) in;
 layout(triangle_strip, max_vertices = 42) out;
 
-in gl_PerVertex { vec4 gl_Position; } gl_in[];
+in gl_PerVertex { vec4 gl_Position; }
+gl_in[];
 flat in uint triangleOfPoint[];
 
 out gl_PerVertex { vec4 gl_Position; };
 noperspective out float prismTime;
 flat out uint prismId;
 
-struct Corner { vec4 place; float time; };
+struct Corner {
+    vec4 place;
+    float time;
+};
 
 void emitVertex(Corner corner) {
     gl_Position = corner.place;
@@ -45,7 +49,8 @@ bool crossing(vec4 p, vec4 q, vec4 movedP, vec4 movedQ, out vec4 place) {
     if (abs(area) <= 1e-5 * length(ab) * length(cd)) return false;
     float s = pdp(cd, ac) / area, u = pdp(ab, ac) / area;
     if (!(s >= 0.0 && s <= 1.0 && u >= 0.0 && u <= 1.0)) return false;
-    // Reached at both ends of the shutter; which time and depth it has, the paper does not say.
+    // Reached at both ends of the shutter. Chosen here, since the paper states neither its time nor its depth: the
+    // means.
     place = vec4(0.5 * (mix(a, b, s) + mix(c, d, u)), 1.0);
     return true;
 }

@@ -3,16 +3,12 @@
 #endif
 #include "shared/frame_blocks.shared.h"
 
-// Storage blocks and textures of the technique `temporal`.
+// Storage blocks of the technique `temporal`.
 #define TUPLE_TIMES_BINDING (TECHNIQUE_STORAGE_BINDING)
 #define TUPLE_DEPTHS_BINDING (TECHNIQUE_STORAGE_BINDING + 1)
 #define TUPLE_IDS_BINDING (TECHNIQUE_STORAGE_BINDING + 2)
 #define TUPLE_COUNTS_BINDING (TECHNIQUE_STORAGE_BINDING + 3)
 
-// Where the covers of moving triangles find their numbers while the map is drawn.
-
 // The published form: tuples in linked lists.
 #define LINKED_HEADS_BINDING (TECHNIQUE_STORAGE_BINDING)
 #define LINKED_TUPLES_BINDING (TECHNIQUE_STORAGE_BINDING + 1)
-#define LINKED_TUPLE_WORDS 6
-#define NO_TUPLE 0xffffffffu

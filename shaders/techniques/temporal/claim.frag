@@ -1,8 +1,10 @@
-// Claims a texel for a triangle that covers its centre all through the shutter (P1's coverage map, with an exact test in the place of
-// "both ends cover"): its depth is the farthest that the triangle ever is inside the texel.
+// Claims a texel for a triangle that covers its centre all through the shutter (the coverage map of Hong and Oh 2017,
+// with an exact test instead of "both ends cover"): the depth written is the greatest that the triangle has inside the
+// texel during the shutter.
 #include "techniques/temporal/moving_triangle.glsl"
 
-// Farthest corner of the texel on the triangle's plane. Distance is 1 / linear over the map at any time, so that corners bound it.
+// Farthest corner of the texel on the triangle's plane. Distance is 1 / linear over the map at any time, so that
+// corners bound it.
 float farthestCorner(vec3 v0, vec3 v1, vec3 v2, vec2 centre, float farthestVertex) {
     float farthest = 0.0;
     for (int i = 0; i < 4; ++i) {
@@ -20,13 +22,14 @@ void main() {
     precise EdgeQuadratics e = quadraticsOf(seenTriangle(centre));
     if (!coversThroughout(e)) discard;
     float farthest = max(max(max(open0.z, open1.z), max(open2.z, close0.z)), max(close1.z, close2.z));
-    // A triangle that does not turn has its extremes at the ends of the shutter and at the texel's corners.
+    // A triangle that only translates has its extremes at the ends of the shutter and at the texel's corners.
     if (nonTranslating == 0u)
-        farthest = min(farthest, max(farthestCorner(open0, open1, open2, centre, farthest), farthestCorner(close0, close1, close2, centre, farthest)));
+        farthest = min(farthest, max(farthestCorner(open0, open1, open2, centre, farthest),
+                                     farthestCorner(close0, close1, close2, centre, farthest)));
     farthest *= 1.0 + 1e-4;  // far above rounding
+    float depth = ndcDepth(farthest);
 #ifdef LIGHT_ORTHOGRAPHIC
-    gl_FragDepth = clamp(1.0 - farthest / lightView.farDistance - 1e-6, 0.0, 1.0);
-#else
-    gl_FragDepth = clamp(lightView.nearDistance / farthest, 0.0, 1.0);
+    depth -= 1e-6;
 #endif
+    gl_FragDepth = clamp(depth, 0.0, 1.0);
 }

@@ -1,9 +1,10 @@
-// The tuples (begin, end, distance at begin, distance at end, triangle) of one moving triangle at one texel: one for each visit of
-// the texel's centre, at its exact times. Drawn twice by the same program: first to count, then (filling) to write.
+// The tuples (begin, end, distance at begin, distance at end, triangle) of one moving triangle at one texel: one for
+// each coverage interval of the texel's centre, at its exact times. Drawn twice by the same program: first to count,
+// then (filling) to write.
+//
 // COVERAGE_MAP: tuples wholly behind a triangle that covers the texel all through the shutter are left out.
 #include "lib/cell_lists.glsl"
 #include "lib/only_if.glsl"
-#include "lib/texel_width.glsl"
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/moving_triangle.glsl"
 
@@ -20,10 +21,12 @@ uniform uint filling;
 #ifdef COVERAGE_MAP
 #define NEEDS_DEPTHS true
 #else
-#define NEEDS_DEPTHS (filling != 0u || nonTranslating != 0u)  // while counting, how often a visit is cut is all that they are for
+// While counting, only the number of pieces depends on them.
+#define NEEDS_DEPTHS (filling != 0u || nonTranslating != 0u)
 #endif
 
-// Distance is linear in u while a triangle does not turn. Where it turns, a visit is cut until the chord is this near, in texels.
+// Distance is linear in u while a triangle only translates. Else an interval is cut into pieces until the chord is this
+// near, in texels.
 const float MAX_BEND = 0.25;
 const float MAX_PIECES = 8.0;
 

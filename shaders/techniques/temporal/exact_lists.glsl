@@ -1,4 +1,4 @@
-// Lists of exact size, an array per field.
+// The repaired form's lists, of exact size, with an array per field; included by lists.glsl.
 uniform usamplerBuffer tupleOffsets;
 uniform samplerBuffer tupleTimes;
 uniform samplerBuffer tupleDepths;
@@ -12,10 +12,9 @@ bool nearerThan(float depth, ivec2 texel, uint own, float time) {
 #ifdef COVERAGE_MAP
     if (depth > coverageDistance(texel)) return true;
 #endif
-    int cell = texel.y * int(frame.mapSize) + texel.x;
-    int last = int(texelFetch(tupleOffsets, cell + 1).x);
+    ivec2 span = listSpan(tupleOffsets, listNumber(texel));
     bool nearer = false;
-    for (int i = int(texelFetch(tupleOffsets, cell).x); i < last && !nearer; ++i) {
+    for (int i = span.x; i < span.y && !nearer; ++i) {
         vec2 times = texelFetch(tupleTimes, i).xy;
         ONLY_IF(time >= times.x && time <= times.y) {
             vec2 depths = texelFetch(tupleDepths, i).xy;
@@ -27,9 +26,9 @@ bool nearerThan(float depth, ivec2 texel, uint own, float time) {
 }
 
 ListSummary summaryOf(ivec2 texel) {
-    int cell = texel.y * int(frame.mapSize) + texel.x;
-    int first = int(texelFetch(tupleOffsets, cell).x), last = int(texelFetch(tupleOffsets, cell + 1).x);
-    ListSummary list = ListSummary(last - first, 2.0);
-    for (int i = first; i < last; ++i) list.firstTime = min(list.firstTime, texelFetch(tupleTimes, i).x);
+    ivec2 span = listSpan(tupleOffsets, listNumber(texel));
+    ListSummary list = emptySummary();
+    list.entries = span.y - span.x;
+    for (int i = span.x; i < span.y; ++i) list.firstTime = min(list.firstTime, texelFetch(tupleTimes, i).x);
     return list;
 }

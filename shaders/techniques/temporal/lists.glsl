@@ -1,5 +1,7 @@
-// What the lookup and the views know of the lists.
-#include "techniques/temporal/receiver_texel.glsl"
+// The lists of either form, by one interface: nearerThan, summaryOf.
+#include "lib/only_if.glsl"
+#include "lib/texel_lists.glsl"
+#include "techniques/temporal/bindings.shared.h"
 #ifdef AS_PUBLISHED
 #include "techniques/temporal/published_lists.glsl"
 #else

@@ -1,7 +1,10 @@
-// Temporal shadow maps: is a moving triangle between the receiver and the light at the receiver's own time? Of each tuple of the
-// texel that holds that time, the distance then is interpolated between the tuple's ends (Hong and Oh 2017, "Lighting pass").
-// Still triangles are tested once, in an ordinary map; those that cross the light's near plane one by one, exactly.
-// AS_PUBLISHED: the published form's lists. COVERAGE_MAP: with its coverage map. DYNAMIC_TRIANGLES, NEAR_TRIANGLES: there are such.
+// Temporal shadow maps: is a moving triangle between the receiver and the light at the receiver's own time? For each
+// tuple of the texel that holds that time, the distance then is interpolated between the tuple's ends (Hong and Oh
+// 2017, "Lighting pass"). Static triangles are tested once, in an ordinary map; those that cross the light's near plane
+// one by one, exactly.
+//
+// AS_PUBLISHED: the published form's lists. COVERAGE_MAP: with its coverage map.
+// DYNAMIC_TRIANGLES, NEAR_TRIANGLES: there are such.
 #include "lib/lookup.glsl"
 #include "techniques/temporal/lists.glsl"
 #ifdef NEAR_TRIANGLES

@@ -1,5 +1,5 @@
 // The moving triangle of a cover, and how the centre of this texel sees it.
-#include "lib/blocks.glsl"
+#include "lib/light_projection.glsl"
 #include "shared/coverage_intervals.shared.h"
 
 flat in vec3 open0;
@@ -13,15 +13,6 @@ flat in uint nonTranslating;
 
 vec2 texelCentre() { return gl_FragCoord.xy / lightView.size; }
 
-// A vertex seen from the image position: 0 where it lies on the light's ray.
-vec2 seenFrom(vec2 position, vec3 v) {
-#ifdef LIGHT_ORTHOGRAPHIC
-    return v.xy - position;
-#else
-    return v.xy - position * v.z;
-#endif
-}
-
 struct SeenTriangle {
     vec2 open0, open1, open2, close0, close1, close2;
 };
@@ -31,7 +22,9 @@ SeenTriangle seenTriangle(vec2 position) {
                         seenFrom(position, close0), seenFrom(position, close1), seenFrom(position, close2));
 }
 
-EdgeQuadratics quadraticsOf(SeenTriangle t) { return edgeQuadratics(t.open0, t.open1, t.open2, t.close0, t.close1, t.close2); }
+EdgeQuadratics quadraticsOf(SeenTriangle t) {
+    return edgeQuadratics(t.open0, t.open1, t.open2, t.close0, t.close1, t.close2);
+}
 
 float casterDistance(SeenTriangle t, float u) {
     return distanceAt(mix(t.open0, t.close0, u), mix(t.open1, t.close1, u), mix(t.open2, t.close2, u),

@@ -1,6 +1,6 @@
-// The coverage map's second pass as published: where the other end of the nearest triangle's prism covers too, that triangle is taken to
-// cover the texel all through the shutter. It need not, and interpolated times may miss 1 by their rounding. No depth test; its depth is
-// written.
+// The coverage map's second pass as published: where the other end of the nearest triangle's prism covers too, that
+// triangle is taken to cover the texel all through the shutter. It need not, and interpolated times may miss 1 by their
+// rounding. No depth test; its depth is written.
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/published_prism.glsl"
 

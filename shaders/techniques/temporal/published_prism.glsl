@@ -1,15 +1,15 @@
-// The prism of Hong and Oh 2017: the triangle at t = 0, the triangle at t = 1 and, between them, each side in two flat triangles
-// (the paper says only that it is triangulated). The fragments that a rasteriser would make of its eight triangles at this texel's centre
-// are computed here at once, with what it would interpolate over the map: time, and the depth of the window. Homogeneous edge functions clip at
-// the near plane as a rasteriser does, and such a prism is open.
+// The prism of Hong and Oh 2017: the triangle at t = 0, the triangle at t = 1 and, between them, each side in two flat
+// triangles (the paper says only that it is triangulated). The fragments that a rasteriser would make of its eight
+// triangles at this texel's centre are computed here at once, with what it would interpolate over the map: time, and
+// NDC depth. Homogeneous edge functions clip at the near plane as a rasteriser does, and such a prism is open.
 #include "techniques/temporal/moving_triangle.glsl"
 
 struct PrismFragment {
     float time;
-    float depth;  // of the window, reversed: greater is nearer
+    float depth;  // NDC depth, reversed: greater is nearer
 };
 
-// What is known of the prism at this texel: its fragments first and last in time, and the nearest.
+// The prism at this texel: its fragments first and last in time, and the nearest.
 struct PrismHits {
     int count;
     PrismFragment first, last, nearest;
@@ -26,13 +26,13 @@ void addFace(inout PrismHits hits, vec3 a, vec3 b, vec3 c, vec3 times) {
     float distance = dot(e, vec3(a.z, b.z, c.z)) / sum;
 #ifdef LIGHT_ORTHOGRAPHIC
     if (distance < 0.0 || distance > lightView.farDistance) return;
-    PrismFragment f = PrismFragment(dot(e / sum, times), 1.0 - distance / lightView.farDistance);
+    PrismFragment f = PrismFragment(dot(e / sum, times), ndcDepth(distance));
 #else
     if (!(distance >= lightView.nearDistance)) return;
-    // As evenly over the map as the window's depth is. Behind the light there is no such place: evenly in space.
+    // Linear over the map, as NDC depth is. A vertex behind the light has no position in the map: then linear in space.
     vec3 weights = e * vec3(a.z, b.z, c.z);
     weights = min(a.z, min(b.z, c.z)) > 0.0 ? weights / (weights.x + weights.y + weights.z) : e / sum;
-    PrismFragment f = PrismFragment(dot(weights, times), lightView.nearDistance / distance);
+    PrismFragment f = PrismFragment(dot(weights, times), ndcDepth(distance));
 #endif
     hits.count++;
     if (f.time < hits.first.time) hits.first = f;

@@ -1,11 +1,16 @@
-// One tuple a triangle and texel as published: from the prism's first fragment in time to its last, in a linked list.
+// One tuple per triangle and texel as published: from the prism's first fragment in time to its last, in a linked list.
+//
 // COVERAGE_MAP: none where the coverage map has a triangle.
+#include "shared/linked_intervals.shared.h"
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/published_prism.glsl"
 
 layout(std430, binding = LINKED_HEADS_BINDING) buffer Heads { uint heads[]; };
 layout(std430, binding = LINKED_TUPLES_BINDING) writeonly buffer Tuples { uint tuples[]; };
-layout(std430, binding = TUPLE_COUNTS_BINDING) buffer Counts { uint tupleCount; uint skippedTuples; };
+layout(std430, binding = TUPLE_COUNTS_BINDING) buffer Counts {
+    uint tupleCount;
+    uint skippedTuples;
+};
 uniform uint capacity;
 #ifdef COVERAGE_MAP
 uniform sampler2DArray coverageMap;
@@ -23,7 +28,7 @@ void main() {
     uint tuple = atomicAdd(tupleCount, 1u);
     if (tuple >= capacity) return;  // drawn again with more room
     uint before = atomicExchange(heads[uint(gl_FragCoord.y) * frame.mapSize + uint(gl_FragCoord.x)], tuple);
-    uint at = tuple * uint(LINKED_TUPLE_WORDS);
+    uint at = tuple * uint(LINKED_INTERVAL_WORDS);
     tuples[at] = floatBitsToUint(hits.first.time);
     tuples[at + 1u] = floatBitsToUint(hits.last.time);
     tuples[at + 2u] = floatBitsToUint(hits.first.depth);

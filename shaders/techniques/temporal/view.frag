@@ -1,27 +1,4 @@
-// What the lists look like from the camera: the mean over a pixel's samples of what is found in the texel of each.
-// VIEW_TIME: when the first tuple begins, in u. Else: how many tuples there are. Negative where no sample is inside the map.
-// AS_PUBLISHED: the published form's lists.
+// The tuples' number or first time, seen from the camera. AS_PUBLISHED: the published form's lists.
 #include "techniques/temporal/lists.glsl"
 
-layout(location = 0) out float outputValue;
-
-void main() {
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
-    float sum = 0.0, count = 0.0;
-    for (uint stratum = 0u; stratum < frame.strata; ++stratum) {
-        uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
-        if (id == NO_TRIANGLE) continue;
-        Receiver r = receiverOf(fetchTriangle(id), id, pixel, stratum);
-        ivec2 texel;
-        if (!texelOf(mapPointOf(r, r.time), texel)) continue;
-        ListSummary list = summaryOf(texel);
-#ifdef VIEW_TIME
-        if (list.tuples == 0) continue;
-        sum += list.firstTime;
-#else
-        sum += float(list.tuples);
-#endif
-        count += 1.0;
-    }
-    outputValue = count > 0.0 ? sum / count : -1.0;
-}
+#include "lib/list_view.glsl"
