@@ -122,13 +122,13 @@ TEST(GrowingBuffer, GrowsAndNamesTheLimitThatItMeets) {
     EXPECT_EQ(buffer.bytes(), before) << "a refusal costs nothing";
 }
 
-TEST(GrowingBuffer, GivesBackWhatIsNeededNoMore) {
+TEST(GrowingBuffer, ShrinksWhenLessIsNeeded) {
     gl::GrowingBuffer buffer("entries", GL_R32UI);
     const std::size_t mebi = std::size_t{1} << 20;
     buffer.reserve(4 * mebi, "");
     const std::size_t large = buffer.bytes();
     for (int i = 0; i < 31; ++i) buffer.reserve(i == 7 ? mebi / 2 : 1, "");
-    EXPECT_EQ(buffer.bytes(), large) << "kept for a while";
+    EXPECT_EQ(buffer.bytes(), large) << "not shrunk at once";
     buffer.reserve(2 * mebi, "");
     for (int i = 0; i < 31; ++i) buffer.reserve(i == 7 ? mebi / 2 : 1, "");
     EXPECT_EQ(buffer.bytes(), large) << "a large request begins the count anew";

@@ -1,4 +1,4 @@
-// Programs are kept for as long as they are in use, and not longer.
+// Programs are cached for as long as they are in use, and not longer.
 #include <gtest/gtest.h>
 
 #include "gl/program_cache.h"
@@ -11,7 +11,7 @@ gl::ProgramDescription scanStep(const char* step) {
     return {.label = "scan", .defines = {{"SCAN_STEP", step}}, .compute = "passes/list_scan.comp"};
 }
 
-TEST(ProgramCache, DropsWhatWasAskedForLongestAgo) {
+TEST(ProgramCache, DropsTheLeastRecentlyUsed) {
     gl::ProgramCache cache;
     const GLuint first = cache.get(scanStep("0")).name(), second = cache.get(scanStep("1")).name(),
                  third = cache.get(scanStep("2")).name();

@@ -1,5 +1,5 @@
 // The lists of the technique `ranges` under random prisms: closed surfaces, the same bytes every time, memory as
-// foretold.
+// predicted.
 #include <gtest/gtest.h>
 
 #include "support/gl_environment.h"
@@ -61,8 +61,8 @@ TEST(RangeLists, AreTheSameEveryTime) {
     }
 }
 
-/// Equation 2 of Hong and Oh 2019, with each form's sizes: what was foretold from the counts is what is held.
-TEST(RangeLists, TakeTheMemoryThatEquationTwoForetells) {
+/// Equation 2 of Hong and Oh 2019, with each form's sizes: the sizes predicted from the counts are those allocated.
+TEST(RangeLists, TakeTheMemoryThatEquationTwoPredicts) {
     for (const bool asPublished : {false, true}) {
         for (const int mapSize : {256, 512}) {
             const auto scene = makeMovingScene({.quads = 200, .seed = 6});

@@ -68,7 +68,7 @@ struct Tally {
 
 /// Relative to a triangle's size: a sample nearer to an edge than this may fall on either side of it in floats.
 constexpr double edgeMargin = 1e-5;
-/// Of the distance: surfaces nearer to each other than this may change places.
+/// Relative to the distance: surfaces nearer to each other than this may be seen in either order.
 constexpr double depthMargin = 1e-5;
 
 bool visible(const FramePlan& plan, std::uint32_t triangle, const Hit& hit) {
@@ -139,7 +139,7 @@ Tally compareMoving(const MovingSceneOptions& options, const FrameRequest& reque
     return compare(plan);
 }
 
-TEST(SamplePass, StillCamera) {
+TEST(SamplePass, StaticCamera) {
     const Tally tally = compareMoving({.quads = 60, .seed = 11}, ProceduralScene::request(160, 120, 4, 16, 1));
     expectTrue(tally, 0.2);
     EXPECT_LT(tally.hits, tally.samples * 9 / 10) << "too little of the background is seen";
@@ -163,7 +163,7 @@ TEST(SamplePass, TrianglesAroundTheEye) {
 }
 
 TEST(SamplePass, OneInstant) {
-    // What brute force draws: every sample at one time.
+    // As accumulation draws it: every sample at one time.
     const std::unique_ptr<ProceduralScene> scene = makeMovingScene({.quads = 60, .seed = 15});
     const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(200, 150, 4, 16, 1));
     const FramePlan instant = planAtInstant(plan, 3, 7);
@@ -186,7 +186,7 @@ TEST(SamplePass, SmallTrianglesOfARealScene) {
     expectTrue(compare(plan), 0.2);
 }
 
-TEST(SamplePass, TheJudgeSeesMistakes) {
+TEST(SamplePass, TheComparisonFindsMistakes) {
     const std::unique_ptr<ProceduralScene> scene = makeMovingScene({.quads = 60, .seed = 11});
     const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(40, 30, 1, 16, 1));
     Tally nothing, another;

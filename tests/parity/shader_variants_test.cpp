@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every combination of a technique's switches, with each of its whole numbers of few values varied in turn (the others
-/// at their defaults), or all together where that makes few. What else there is are uniforms; the number of renders is
+/// at their defaults), or all together where that makes few. All other settings are uniforms; the number of renders is
 /// the least, since it changes no shader.
 void forEveryCombination(Technique& technique, const std::function<void()>& draw) {
     std::vector<Setting> switches, numbers;
@@ -58,15 +58,15 @@ void forEveryCombination(Technique& technique, const std::function<void()>& draw
     });
 }
 
-/// Two frames in a row, for a technique that looks back at the first.
+/// Two frames in a row, for a technique with a history.
 void drawNextFrame(FrameRenderer& renderer, FramePlanner& planner, const std::string& name) {
     const std::unique_ptr<Technique> technique = makeTechnique(name, renderer.programs());
     FrameRequest request = ProceduralScene::request(16, 12, 2, 16, 1);
     for (; request.frame < 2.0; request.frame += 1.0) renderer.draw(planner.plan(request), *technique, View::Final);
 }
 
-/// Frames with a camera that stands: beside something that moves, with and without what the sample pass keeps, and
-/// where nothing does.
+/// Frames with a static camera: beside something dynamic, with and without the sample pass's cache, and where nothing
+/// moves.
 void drawStaticCamera(FrameRenderer& renderer, const ProceduralScene& scene, const std::string& name) {
     FramePlanner planner(scene);
     FrameRequest request = ProceduralScene::request(16, 12, 2, 16, 1);
@@ -83,7 +83,7 @@ void drawStaticCamera(FrameRenderer& renderer, const ProceduralScene& scene, con
         }
 }
 
-/// A moment that is drawn again, with something that stands still: what a lookup keeps, and what it asks anew.
+/// A frame that is drawn again, with static triangles: the cached part of a lookup, and the part that is tested anew.
 void drawOntoCached() {
     FrameRenderer& renderer = sharedRenderer();
     for (const bool directional : {false, true}) {
@@ -108,7 +108,7 @@ void drawOntoCached() {
     }
 }
 
-/// Draws whatever makes a difference to a shader, on the shared renderer.
+/// Draws every case that makes a difference to a shader, on the shared renderer.
 void drawEverything() {
     FrameRenderer& renderer = sharedRenderer();
     StripedTechnique striped;  // a view, whether or not any technique has one
@@ -147,7 +147,7 @@ struct Verdict {
     std::string words;
 };
 
-/// A folder that goes away with the object.
+/// A temporary folder that is deleted with the object.
 class Workplace {
   public:
     Workplace() {
@@ -209,7 +209,7 @@ TEST(ShaderVariants, TheValidatorIsThereAndRefuses) {
     const Verdict verdict = workplace.validate({{"vert", good}});
     ASSERT_TRUE(verdict.good) << "glslangValidator does not run: " << verdict.words;
     EXPECT_FALSE(workplace.validate({{"vert", wrong}}).good);
-    // An input that no stage before writes is seen only when they are linked.
+    // An input that no earlier stage writes is found only by linking.
     const std::string orphan =
         "#version 450 core\nflat in uint x;\nlayout(location = 0) out uint y;\nvoid main() { y = x; }\n";
     EXPECT_TRUE(workplace.validate({{"frag", orphan}}).good);

@@ -1,6 +1,6 @@
 // The arithmetic that C++ and GLSL compile from one text, run as both on the same inputs: random ones and awkward ones,
 // from a fixed seed. Integer work must agree in every bit. In floats a GPU may round a division by up to 2.5 units and
-// may join a product and a sum into one rounding; each bound below says what that can do.
+// may join a product and a sum into one rounding; each bound below states its effect.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -266,7 +266,7 @@ TEST_F(SharedNumerics, SweptBoundsOrthographic) {
 
 TEST_F(SharedNumerics, SweptBoundsTurning) {
     // In front of the eye and turning by up to 0.3 of a radian: the homogeneous weights stay above 1/4. (What crosses
-    // the eye is divided by as little as there is; the unit test of the bounds covers it against the truth.)
+    // the eye is divided by as little as there is; the unit test of the bounds covers it in double precision.)
     constexpr std::size_t count = 10000;
     std::vector<float> input;
     const auto rays = [&] {

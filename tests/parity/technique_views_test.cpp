@@ -1,4 +1,4 @@
-// Views of a technique's own: the values as they are, the colours, the scale, what is refused.
+// A technique's own views: the values themselves, the colours, the scale, what is refused.
 #include <gtest/gtest.h>
 
 #include <cmath>

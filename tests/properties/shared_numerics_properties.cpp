@@ -27,8 +27,7 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-/// Runs `check(numbers, i)` count times on two threads with inputs of their own, until one says no. Returns its index
-/// or -1.
+/// Runs `check(numbers, i)` count times on two threads with separate inputs, until one fails. Returns its index or -1.
 template <typename Check>
 long firstFailure(long count, std::uint32_t seed, const Check& check) {
     long failed[2] = {-1, -1};
@@ -63,7 +62,7 @@ bool edgeIsWithinItsBound(AwkwardNumbers& numbers) {
            std::abs(static_cast<double>(side) - truth.value) <= truth.error;
 }
 
-/// Whether the header leaves the decision open.
+/// Whether the header's error bound allows either result.
 bool segmentIsOpen(const SegmentAndTriangle& s) {
     const dvec3 l(s.toLight), v0(s.v[0]), v1(s.v[1]), v2(s.v[2]);
     for (const Bounded& e : {edgeOf(l, v1, v2), edgeOf(l, v2, v0), edgeOf(l, v0, v1)})

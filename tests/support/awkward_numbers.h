@@ -10,7 +10,8 @@
 
 namespace timeshade {
 
-/// Numbers that break numerics: random ones from a counter, fast enough for millions. The same on every machine.
+/// Numbers that provoke rounding errors: random ones from a counter, fast enough for millions. The same on every
+/// machine.
 class AwkwardNumbers {
   public:
     explicit AwkwardNumbers(std::uint32_t seed) : seed_(shared::hashWord(seed)) {}
@@ -84,7 +85,7 @@ inline SegmentAndTriangle awkwardSegmentAndTriangle(AwkwardNumbers& numbers) {
         break;
     }
     case 1: s.toLight = numbers.near(s.v[numbers.below(3)]) * 2.0f; break;  // towards a corner
-    case 2: {                                                               // the plane all but holds the segment
+    case 2: {                                                               // the plane nearly holds the segment
         const glm::vec3 inPlane = s.v[0] * numbers.between(-1.0f, 2.0f) + s.v[1] * numbers.between(-1.0f, 2.0f);
         s.toLight = numbers.near(inPlane);
         s.v[2] = numbers.near(s.v[0] * numbers.between(-1.0f, 2.0f) + s.v[1] * numbers.between(-1.0f, 2.0f));

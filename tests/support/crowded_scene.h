@@ -7,7 +7,7 @@
 
 namespace timeshade {
 
-/// What a crowded scene is like.
+/// Options of a crowded scene.
 struct CrowdedSceneOptions {
     std::uint32_t seed = 1;
     bool directionalLight = false;
@@ -18,7 +18,7 @@ struct CrowdedSceneOptions {
     bool overTheGround = false;   ///< nothing sinks into it
 };
 
-/// Boxes, balls and turned shapes that fly and turn over a ground, sink into it and into one another: one-sided and
+/// Boxes, balls and lathed shapes that move and rotate over a ground, sink into it and into one another: one-sided and
 /// two-sided, whole, with a triangle missing, inside out, hollow. One second is one frame; motion repeats after eight.
 std::unique_ptr<Scene> makeCrowdedScene(const CrowdedSceneOptions& options);
 

@@ -9,12 +9,12 @@ namespace timeshade {
 
 namespace {
 
-/// Stays for a while, goes on for a while. `still`: one in so many frames' moves is made.
-std::vector<glm::dvec3> wander(AwkwardNumbers& numbers, glm::dvec3 from, double step, std::uint32_t still) {
+/// A path that pauses in most frames: it moves in one of `pauses`.
+std::vector<glm::dvec3> wander(AwkwardNumbers& numbers, glm::dvec3 from, double step, std::uint32_t pauses) {
     std::vector<glm::dvec3> path{from};
     for (int i = 0; i < EventfulScene::frames; ++i) {
         glm::dvec3 next = path.back();
-        if (numbers.oneIn(still)) {
+        if (numbers.oneIn(pauses)) {
             const auto way = [&] { return static_cast<double>(numbers.between(-1.0f, 1.0f)) * step; };
             const double x = way(), y = way(), z = way();
             next += glm::dvec3(x, y, 0.3 * z);
@@ -33,7 +33,7 @@ EventfulScene::EventfulScene(std::uint32_t seed, bool directionalLight) : direct
     for (int i = 0; i < 14; ++i) {
         const double x = number(-4, 4), y = number(-4, 4), z = number(0.2f, 5);
         const double right = number(0.2f, 0.8f), up = number(0.2f, 0.8f), tilt = number(-0.4f, 0.4f);
-        const std::uint32_t lively = i < 5 ? 1 : 4;  // the first ones never rest
+        const std::uint32_t lively = i < 5 ? 1 : 4;  // the first ones never stop
         Quad quad{wander(numbers, {x, y, z}, i % 3 == 0 ? 6.0 : 0.7, lively), {}, {tilt, up, 0.2}};
         quad.sides =
             numbers.oneIn(3) ? wander(numbers, {right, 0, tilt}, 0.3, 3) : Path(frames + 1, glm::dvec3(right, 0, tilt));
@@ -62,7 +62,7 @@ EventfulScene::EventfulScene(std::uint32_t seed, bool directionalLight) : direct
 glm::dvec3 EventfulScene::at(const Path& path, double seconds) {
     const double time = std::clamp(seconds, 0.0, static_cast<double>(frames));
     const auto frame = std::min(static_cast<std::size_t>(time), path.size() - 2);
-    // What rests has the same place to the last bit.
+    // A static object has the same position to the last bit.
     if (path[frame] == path[frame + 1]) return path[frame];
     return glm::mix(path[frame], path[frame + 1], time - static_cast<double>(frame));
 }

@@ -9,8 +9,8 @@
 namespace timeshade {
 
 /// Quads over a ground that start and stop, come in and go out of the camera's and the light's views, as do the light
-/// and the camera themselves: each has a place of its own at every whole frame and moves evenly in between, and keeps
-/// it for some frames. One second is one frame. The same seed makes the same scene.
+/// and the camera themselves: each has a position at every whole frame, moves linearly in between, and pauses for some
+/// frames. One second is one frame. The same seed makes the same scene.
 class EventfulScene final : public Scene {
   public:
     static constexpr int frames = 8;
@@ -29,7 +29,7 @@ class EventfulScene final : public Scene {
     const std::vector<std::string>& notes() const override { return notes_; }
 
   private:
-    using Path = std::vector<glm::dvec3>;  ///< a place for each whole frame from 0 to `frames`
+    using Path = std::vector<glm::dvec3>;  ///< a position for each whole frame from 0 to `frames`
     struct Quad {
         Path centres;
         Path sides;  ///< half of one side; the other stays

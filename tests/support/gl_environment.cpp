@@ -21,7 +21,7 @@ ContextKind kindOfEnvironment() {
     throw std::runtime_error("TIMESHADE_TEST_CONTEXT is '" + kind + "'; expected egl or osmesa");
 }
 
-/// Members die from the bottom up: what needs the context goes before it.
+/// Members are destroyed in reverse order: those that need the context before it.
 struct SharedGl {
     SharedGl() : context(makeHeadlessContext({kindOfEnvironment(), -1, true})) {}
 
@@ -38,7 +38,7 @@ class GlEnvironment final : public testing::Environment {
         try {
             shared = std::make_unique<SharedGl>();
         } catch (const std::exception& error) {
-            // No mere failure: GoogleTest would go on to call every test skipped, and CTest takes that for well.
+            // Exits instead of failing: GoogleTest would report every test as skipped, which CTest counts as passed.
             std::cerr << "no OpenGL for the tests: " << error.what() << std::endl;
             std::_Exit(EXIT_FAILURE);
         }

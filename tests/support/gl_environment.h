@@ -7,8 +7,9 @@
 namespace timeshade {
 
 /// The one OpenGL context of a test program: EGL, or what TIMESHADE_TEST_CONTEXT names ("egl", "osmesa"). It is made
-/// before the first test and is current throughout. A test during which the driver complains of anything fails, with
-/// the driver's words. A program that links timeshade_gl_test_support gets all this, and its main(), by linking.
+/// before the first test and is current throughout. A test during which the driver reports an error or a warning
+/// fails with the driver's message. A program that links timeshade_gl_test_support gets all this, and its main(), by
+/// linking.
 GlContext& sharedContext();
 
 /// Hooked into that context. A test that provokes the driver on purpose clears it before its end.

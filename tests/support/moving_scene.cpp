@@ -23,7 +23,7 @@ std::unique_ptr<ProceduralScene> makeMovingScene(const MovingSceneOptions& optio
             quad.open[c] = centre + size * corners[c] + vector(0.5 * size);
             quad.close[c] = quad.open[c] + move + (i % 2 == 0 ? glm::dvec3(0.0) : vector(0.4 * size));
         }
-        // Some turn their other side to the camera on the way.
+        // Some turn their back to the camera during the shutter.
         if (i % 5 == 0) std::swap(quad.close[0], quad.close[1]), std::swap(quad.close[2], quad.close[3]);
         scene->quads.push_back(quad);
     }

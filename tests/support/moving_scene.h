@@ -7,7 +7,7 @@
 
 namespace timeshade {
 
-/// What a random scene for parity tests is like.
+/// Options of a random scene for parity tests.
 struct MovingSceneOptions {
     int quads = 60;
     unsigned seed = 1;

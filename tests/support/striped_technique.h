@@ -6,8 +6,8 @@
 
 namespace timeshade {
 
-/// For tests of what goes round a technique: everything is lit, the view "columns" holds the number of each pixel's
-/// column, negative in the lower half of the picture, and there are figures with and without a warning.
+/// For tests of the code around a technique: everything is lit, the view "columns" holds the number of each pixel's
+/// column, negative in the lower half of the picture, and there are statistics with and without a warning.
 class StripedTechnique final : public Technique {
   public:
     const TechniqueDescription& description() const override {

@@ -1,5 +1,5 @@
-// A convex closed body that moves and turns under the light shadows nothing of its own lit side: every false shadow on
-// it is acne.
+// A convex closed body that moves and rotates under the light does not shadow its own lit side: every false shadow on
+// it is self-shadowing (acne).
 #include <gtest/gtest.h>
 
 #include "measure/verification.h"
@@ -40,7 +40,8 @@ FalseShadows falseShadows(const std::string& technique, const std::string& setti
     return {1e6 * static_cast<double>(v.falseShadow) / static_cast<double>(v.tested), 1e6 * dark / onStone};
 }
 
-/// At default bias. What is left are the edges of the shadow on the ground, early or late by a part of a stratum.
+/// At default bias. Errors that remain are at the edges of the shadow on the ground, early or late by a part of a
+/// stratum.
 TEST(Acne, IsNoneOnASphereThatTurns) {
     const FalseShadows tsm = falseShadows("tsm", "dynamic_bias");
     EXPECT_LT(tsm.ofAll, 1000.0);
@@ -52,7 +53,7 @@ TEST(Acne, IsNoneOnASphereThatTurns) {
     }
 }
 
-/// What the dynamic bias is for.
+/// Without it there is acne.
 TEST(Acne, IsThereWithoutTheDynamicBias) { EXPECT_GT(falseShadows("tsm", "").ofStone, 5000.0); }
 
 }  // namespace

@@ -51,7 +51,7 @@ double rootMeanSquare(const std::vector<double>& values, double exact) {
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// Slope of log(error) over log(effort), by least squares.
+/// Slope of log(error) over log(sample count), by least squares.
 double slope(const std::vector<double>& sampleCount, const std::vector<double>& error) {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     const auto n = static_cast<double>(sampleCount.size());
@@ -73,7 +73,7 @@ TEST_P(ClosedForm, RightOrOffAsItsTraitsSay) {
     const ClosedFormCase& c = closedFormCase(caseName);
     const std::unique_ptr<Technique> technique = makeTechnique(techniqueName, sharedRenderer().programs());
     if (techniqueName == "accumulation") setFromText(*technique, "renders", "64");
-    // A focused map's texels are smaller than those that the expectation knows.
+    // A focused map's texels are smaller than the expectation assumes.
     if (techniqueName == "history") setFromText(*technique, "fit", "0");
     const CaseResult r = runCase(sharedRenderer(), *technique, c, {8, 512});
     if (r.verdict == Verdict::NotTaken) GTEST_SKIP() << r.reason;
@@ -101,9 +101,8 @@ INSTANTIATE_TEST_SUITE_P(AllTechniques, ClosedForm,
                              return std::get<0>(test.param) + "_" + std::get<1>(test.param);
                          });
 
-/// TSM answers a stratum that a shadow's end splits into f and 1 - f by a coin: the variance of a pixel is the sum of
-/// f (1 - f) over the ends, divided by N^2. The error therefore falls with slope -1, and is known before it is
-/// measured.
+/// TSM's lit value is random in a stratum that a shadow's end splits into f and 1 - f: the variance of a pixel is the
+/// sum of f (1 - f) over the ends, divided by N^2. The error therefore falls with slope -1, and can be predicted.
 TEST(Convergence, TsmFollowsStratifiedSampling) {
     const ClosedFormCase& c = closedFormCase("quad_sweeps_point");
     const std::unique_ptr<Technique> technique = makeTechnique("tsm", sharedRenderer().programs());
@@ -129,7 +128,7 @@ TEST(Convergence, TsmFollowsStratifiedSampling) {
     EXPECT_NEAR(slope(sampleCount, error), -1.0, 0.12);
 }
 
-/// Brute force looks at M evenly spaced instants: each end of an interval is off by at most 1 / (2M), slope -1.
+/// Accumulation draws M evenly spaced instants: each end of an interval is off by at most 1 / (2M), slope -1.
 TEST(Convergence, AccumulationFallsAsOneOverRenders) {
     const std::unique_ptr<Technique> technique = makeTechnique("accumulation", sharedRenderer().programs());
     std::vector<double> sampleCount, error;
@@ -146,7 +145,7 @@ TEST(Convergence, AccumulationFallsAsOneOverRenders) {
     EXPECT_NEAR(slope(sampleCount, error), -1.0, 0.35);
 }
 
-/// Row 9 with a bias: a receiver that approaches the light by v per shutter is in its own shadow on
+/// Case 9 with a bias: a receiver that approaches the light by v per shutter is in its own shadow on
 /// 1/2 (1 - b N / v)^2 of the samples, b being the bias in world units; none where b N >= v.
 TEST(PredictedFailure, TsmSelfShadowFollowsItsFormula) {
     const ClosedFormCase& c = closedFormCase("approaching_self");
@@ -171,8 +170,7 @@ TEST(PredictedFailure, TsmSelfShadowFollowsItsFormula) {
     }
 }
 
-/// Equation 12 of Andersson et al. 2015 moves the map's depth to the receiver's time: nothing is left of the
-/// self-shadow.
+/// Equation 12 of Andersson et al. 2015 moves the map's depth to the receiver's time: no self-shadowing is left.
 TEST(PredictedFailure, DynamicBiasEndsTheSelfShadow) {
     const ClosedFormCase& c = closedFormCase("approaching_self");
     const std::unique_ptr<Technique> technique = makeTechnique("tsm", sharedRenderer().programs());

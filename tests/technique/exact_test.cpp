@@ -1,5 +1,5 @@
-// `exact` is right whatever its grid: the same answers for every number of cells and buckets, every map, and for lists
-// that had to be made coarser; and right by the oracle, in scenes where everything moves.
+// `exact` is right whatever its grid: the same lit values for every number of cells and buckets, every map, and for
+// lists that had to be made coarser; and it agrees with the oracle in scenes where everything moves.
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -71,8 +71,8 @@ std::size_t statisticOf(const Technique& exact, const std::string& name) {
 
 class ExactLists : public testing::TestWithParam<CrowdedSceneOptions> {};
 
-/// Triangles are left out where nobody can tell, and only there.
-TEST_P(ExactLists, LeaveOutWhatMakesNoDifference) {
+/// Triangles are culled only where they cannot change a picture.
+TEST_P(ExactLists, CullOnlyWhatMakesNoDifference) {
     std::size_t facingAway = 0;
     for (const std::uint32_t seed : {0u, 1u, 2u, 3u}) {
         CrowdedSceneOptions options = GetParam();
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Crowds, ExactLists,
                                          CrowdedSceneOptions{7, false, false, false, false, true},
                                          CrowdedSceneOptions{8, true, false, false, false, true}));
 
-/// With TIMESHADE_FULL_SIZE set: pictures as the program draws them when it is asked for nothing else, and all grids.
+/// With TIMESHADE_FULL_SIZE set: pictures at the program's default size, and all grids.
 /// Takes minutes.
 bool atFullSize() { return std::getenv("TIMESHADE_FULL_SIZE") != nullptr; }
 
@@ -138,7 +138,7 @@ TEST_P(ExactOnScenes, GridAndMapChangeNothing) {
 INSTANTIATE_TEST_SUITE_P(Three, ExactOnScenes, testing::Values("chess", "octopus", "pillars"),
                          [](const auto& given) { return std::string(given.param); });
 
-/// Lists that do not fit are made with larger cells, and still hold every triangle that they must.
+/// Lists that do not fit are made with larger cells, and hold every triangle that may cast a shadow there.
 TEST(CandidateGrid, GrowsCoarserUntilItsListsFit) {
     const std::unique_ptr<ProceduralScene> scene = makeMovingScene({.quads = 40, .seed = 4});
     const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(96, 72, 4, 256, 4));

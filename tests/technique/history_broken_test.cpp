@@ -1,4 +1,4 @@
-// Nothing old or broken is ever shown by the technique `history`.
+// The technique `history` never shows an invalid or broken history.
 #include <limits>
 #include <utility>
 
@@ -13,14 +13,15 @@ void fill(const gl::Texture& texture, const glm::vec4& value) {
     glClearTexImage(texture.name(), 0, GL_RGBA, GL_FLOAT, &value.x);
 }
 
-/// Row 35: whatever lies in the history that can't be true is as if it were not there.
+/// Case 35: implausible values in the history are ignored.
 TEST(HistoryBroken, NothingThatIsNoNumberSurvives) {
     const auto scene = boardScene({}, {0.01, 0.0, 0.0});
     FramePlanner planner(*scene);
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     for (const bool published : {false, true})
-        for (const auto& [step, frames] : {std::pair(0.0, 3), std::pair(0.0, 20),
-                                           std::pair(1.0, 3)}) {  // held; until pixels rest; with a camera that moves
+        for (const auto& [step, frames] :
+             {std::pair(0.0, 3), std::pair(0.0, 20),
+              std::pair(1.0, 3)}) {  // held; until pixels converge; with a camera that moves
             const auto after = [&](const glm::vec4& poison) {
                 const auto technique = makeHistory();
                 setFromText(*technique, "as_published", published ? "on" : "off");
@@ -41,7 +42,7 @@ TEST(HistoryBroken, NothingThatIsNoNumberSurvives) {
         }
 }
 
-/// What a camera sees that has been elsewhere equals the test of this frame at once, as if nothing had been before.
+/// After a camera cut the picture equals that of this frame's tests alone.
 TEST(HistoryBroken, ATeleportedCameraHasNoPast) {
     const auto scene = boardScene();
     FramePlanner planner(*scene);
@@ -77,7 +78,7 @@ TEST(HistoryBroken, ScrubbingAndSettingsBeginAnew) {
         return drawnLit(planner.plan(request), *technique) == drawnLit(planner.plan(request), *makeHistory());
     };
     for (request.frame = 5.0; request.frame < 9.0; request.frame += 1.0) drawnLit(planner.plan(request), *technique);
-    EXPECT_FALSE(equalsFresh()) << "the test would show nothing";
+    EXPECT_FALSE(equalsFresh()) << "the history has no effect, so the test shows nothing";
     request.frame = 2.0;
     EXPECT_TRUE(equalsFresh()) << "back";
     request.frame = 40.0;
@@ -87,7 +88,7 @@ TEST(HistoryBroken, ScrubbingAndSettingsBeginAnew) {
     EXPECT_TRUE(equalsFresh()) << "another seed";
     drawnLit(planner.plan(request), *technique);
     technique->forget();
-    EXPECT_TRUE(equalsFresh()) << "told to forget";
+    EXPECT_TRUE(equalsFresh()) << "after a reset";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ TEST(Confidence, IsOneAtCentresAndZeroAtBorders) {
     EXPECT_FLOAT_EQ(shared::shadowTestConfidence({2.625f, 2.25f}), 0.5f);
 }
 
-/// Numerics A3: the mean of conf^m over a texel is 2 / ((m + 1) (m + 2)).
+/// The mean of conf^m (Scherzer, Jeschke and Wimmer 2007, equation 6) over a texel is 2 / ((m + 1) (m + 2)).
 TEST(Confidence, WeightsHaveTheirClosedFormMean) {
     for (const float m : {1.0f, 3.0f, 15.0f}) {
         double sum = 0.0;
@@ -65,7 +65,8 @@ TEST(Confidence, IsThatOfTheTurnedMap) {
     }
 }
 
-/// Numerics A3: of noisy tests the smoothed value never averages more than 7, the sums as many as there were frames.
+/// Exponential smoothing of noisy tests (Scherzer, Jeschke and Wimmer 2007, equation 3) never averages more than 7 of
+/// them; weighted sums average in proportion to the number of frames (docs/numerics.md).
 TEST(Smoothing, EffectiveSamplesFollowTheirFormula) {
     Lots lots;
     for (const double m : {3.0, 15.0}) {

@@ -1,4 +1,4 @@
-// The technique `history` asks no pixel in vain: those that have learned enough rest, and nobody sees it.
+// Converged pixels of the technique `history` are tested only every re-test period, which changes no picture.
 #include <algorithm>
 #include <string>
 
@@ -17,29 +17,29 @@ double pixelsTested(const Technique& technique) {
     return -1.0;
 }
 
-/// One sample a pixel, nothing moves: dark pixels have their proof, lit ones are sure; only edges are asked on, and
-/// after 64 frames nothing is.
-TEST(HistoryConverged, AStillPictureIsFinished) {
+/// One sample per pixel, nothing moves: shadowed pixels are proven to be so, lit ones are sure; only edges are tested
+/// on, and after 64 frames nothing is.
+TEST(HistoryConverged, AStaticPictureConverges) {
     const auto scene = boardScene();
     const FramePlan plan = FramePlanner(*scene).plan(staticRequest(96, 72, 64));
     const auto technique = makeHistory();
-    std::vector<double> asked;
+    std::vector<double> tested;
     std::vector<float> before, lit;
     for (int frame = 0; frame < 70; ++frame) {
         before = lit;
         lit = drawnLit(plan, *technique);
-        asked.push_back(pixelsTested(*technique));
+        tested.push_back(pixelsTested(*technique));
     }
-    RecordProperty("asked",
-                   std::to_string(asked[1]) + " " + std::to_string(asked[20]) + " " + std::to_string(asked[69]));
-    EXPECT_EQ(asked[1], 96.0 * 72.0);
-    EXPECT_LT(asked[20], 0.1 * asked[1]);
-    EXPECT_EQ(asked[69], 0.0);
+    RecordProperty("tested",
+                   std::to_string(tested[1]) + " " + std::to_string(tested[20]) + " " + std::to_string(tested[69]));
+    EXPECT_EQ(tested[1], 96.0 * 72.0);
+    EXPECT_LT(tested[20], 0.1 * tested[1]);
+    EXPECT_EQ(tested[69], 0.0);
     EXPECT_EQ(lit, before);
     EXPECT_EQ(lit, truthOf(plan));
 }
 
-/// With several samples a pixel and an open shutter, beside something that moves, edges rest as well.
+/// With several samples per pixel and an open shutter, beside a dynamic object, edges converge as well.
 TEST(HistoryConverged, WhatNothingMovesByConverges) {
     const auto scene = boardScene();
     MovingQuad dynamicCaster = slidingQuad({1.4, 0.0, 0.5}, {1.5, 0.0, 0.5}, 0.1, -0.1, 0.1);
@@ -55,12 +55,12 @@ TEST(HistoryConverged, WhatNothingMovesByConverges) {
         if (request.frame == 1.0) first = pixelsTested(*technique);
         fewest = std::min(fewest, pixelsTested(*technique));
     }
-    RecordProperty("asked", std::to_string(first) + " " + std::to_string(fewest));
+    RecordProperty("tested", std::to_string(first) + " " + std::to_string(fewest));
     EXPECT_LT(fewest, 0.25 * first);
     EXPECT_GT(fewest, 0.0);
 }
 
-/// What rests shows what it showed, whoever has drawn into the frame's buffers since.
+/// Converged pixels keep their values, even if another technique has drawn into the frame's buffers since.
 TEST(HistoryConverged, OthersMayDrawInBetween) {
     const auto scene = boardScene({0.02, 0.0, 0.0});
     FramePlanner planner(*scene);
@@ -77,8 +77,8 @@ TEST(HistoryConverged, OthersMayDrawInBetween) {
     }
 }
 
-/// Something lit passes before a shadow that stands still, and throws its own elsewhere: pixels that it has come to or
-/// left show at once what is there, though nothing moves between the shadow and the light.
+/// A lit object passes in front of a static shadow, and casts its own elsewhere: pixels that it enters or leaves are
+/// right at once, though nothing moves between the shadow and the light.
 TEST(HistoryConverged, AReceiverThatComesInvalidatesAndLeavesNothing) {
     const auto scene = boardScene();
     const auto dynamicCaster = static_cast<std::uint32_t>(2 * scene->quads.size());
@@ -109,7 +109,7 @@ TEST(HistoryConverged, AReceiverThatComesInvalidatesAndLeavesNothing) {
     EXPECT_EQ(wrong, 0);
 }
 
-/// The plan and what it keeps change nothing: neither what a pixel shows nor when it is asked.
+/// The plan and the caches change nothing: neither a pixel's value nor when it is tested.
 TEST(HistoryConverged, IsTheSameWithoutAPlan) {
     const std::unique_ptr<Scene> scene = openScene("chess", "");
     FrameRenderer renderers[3];

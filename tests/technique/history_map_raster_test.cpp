@@ -11,8 +11,8 @@
 namespace timeshade {
 namespace {
 
-/// Whatever is seen lies inside the fitted map, in front of the warp's horizon; and where light and camera look along
-/// one line (duelling frusta) the warp is none.
+/// Whatever is seen lies inside the fitted map, in front of the warp's horizon; and where light and camera face each
+/// other along one line (duelling frusta) there is no warp.
 TEST(MapRaster, CoversWhatIsSeen) {
     Lots lots;
     for (int i = 0; i < 200; ++i) {

@@ -17,7 +17,7 @@
 namespace timeshade {
 namespace {
 
-/// Behind a moving shadow nothing of it stays, and what stands still goes on converging.
+/// A moving shadow leaves no ghost, and static shadows go on converging.
 TEST(HistoryMoving, NoGhostFollowsAShadow) {
     const auto scene = boardScene({0.04, 0.01, 0.0});
     const glm::dvec3 post[4] = {{-1.1, -0.5, 0.5}, {-0.8, -0.6, 0.6}, {-0.7, 0.7, 0.7}, {-1.0, 0.6, 0.5}};
@@ -34,14 +34,14 @@ TEST(HistoryMoving, NoGhostFollowsAShadow) {
     std::vector<std::vector<float>> truths, alones, lits;
     for (int frame = 0; frame < 60; ++frame) {
         FrameRequest request = staticRequest(96, 72, 64);
-        request.cameraPose = scene->cameraOpen;  // exactly the same in every frame, so that pixels rest
+        request.cameraPose = scene->cameraOpen;  // exactly the same in every frame, so that pixels converge
         request.frame = frame;
         const FramePlan plan = planner.plan(request);
         truths.push_back(truthOf(plan));
         alones.push_back(drawnLit(plan, *makeHistory()));
         lits.push_back(drawnLit(plan, *technique));
     }
-    // Where the truth has just changed, a ghost would be: there the history must have been lost.
+    // A ghost would be where the oracle's value has just changed: there the history must have been dropped.
     std::vector<char> everChanged(truths[0].size());
     for (std::size_t frame = 1; frame < truths.size(); ++frame)
         for (std::size_t i = 0; i < everChanged.size(); ++i) {
@@ -56,11 +56,12 @@ TEST(HistoryMoving, NoGhostFollowsAShadow) {
                 sum += static_cast<double>(std::abs(shown.back()[i] - truths.back()[i]));
         return sum;
     };
-    RecordProperty("wrong", std::to_string(wrong(alones, true)) + " " + std::to_string(wrong(lits, true)) + ", still " +
-                                std::to_string(wrong(alones, false)) + " " + std::to_string(wrong(lits, false)));
+    RecordProperty("wrong", std::to_string(wrong(alones, true)) + " " + std::to_string(wrong(lits, true)) +
+                                ", static " + std::to_string(wrong(alones, false)) + " " +
+                                std::to_string(wrong(lits, false)));
     EXPECT_LE(wrong(lits, true), wrong(alones, true) + 1e-3);
-    // Beside the still shadow that includes edges of the moving one along which it slides: they lose their past as
-    // well.
+    // Beside the static shadow that includes edges of the moving one along which it slides: their history is dropped
+    // as well.
     EXPECT_LT(wrong(lits, false), 0.7 * wrong(alones, false));
 }
 
@@ -127,9 +128,9 @@ TEST(HistoryMoving, ChessIsBetterThanWithAnOrdinaryMap) {
     EXPECT_LT(2 * wrong.all, wrongByMap.all);
 }
 
-/// At a grazing angle a pixel's neighbours lie far apart in depth but in one plane: the floor keeps its past while the
-/// camera slides. As published, by depth, it loses it.
-TEST(HistoryMoving, AGrazedFloorKeepsItsPast) {
+/// At a grazing angle a pixel's neighbours lie far apart in depth but in one plane: the floor keeps its history while
+/// the camera slides. As published, by depth, it loses it.
+TEST(HistoryMoving, AGrazedFloorKeepsItsHistory) {
     const auto scene = boardScene();
     for (CameraPose* camera : {&scene->cameraOpen, &scene->cameraClose})
         *camera = lookAt({0.0, -1.6, 0.25}, {0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}, 0.6, 0.01);
@@ -147,12 +148,12 @@ TEST(HistoryMoving, AGrazedFloorKeepsItsPast) {
         return static_cast<double>(kept) / static_cast<double>(tested);
     };
     const double repaired = cachedBy("off"), published = cachedBy("on");
-    RecordProperty("kept", std::to_string(repaired) + " " + std::to_string(published));
+    RecordProperty("history kept", std::to_string(repaired) + " " + std::to_string(published));
     EXPECT_GT(repaired, 0.9);
     EXPECT_LT(published, 0.3);
 }
 
-/// A receiver is followed: a floor that slides with its camera keeps its past, as long as no shadow slides over it.
+/// A receiver is followed: a floor that slides with its camera keeps its history, as long as no shadow slides over it.
 TEST(HistoryMoving, AReceiverIsFollowed) {
     auto scene = std::make_shared<ProceduralScene>();
     scene->quads.push_back(slidingQuad({0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, 4.0, -4.0, 4.0));
@@ -169,7 +170,7 @@ TEST(HistoryMoving, AReceiverIsFollowed) {
     EXPECT_GT(old, static_cast<std::ptrdiff_t>(lengths.size() / 2));
 }
 
-TEST(HistoryMoving, ALightThatMovesEndsEveryPast) {
+TEST(HistoryMoving, AMovingLightInvalidatesTheHistory) {
     const auto scene = boardScene();
     scene->lightClose.position.x += 0.05;
     FramePlanner planner(*scene);

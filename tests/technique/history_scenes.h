@@ -13,8 +13,8 @@
 
 namespace timeshade {
 
-/// A board that stands askew over a large floor; the light shines down from beside, the camera looks at the shadow at a
-/// slant. `boardStep` and `cameraStep`: how far they go in a second, which is a frame.
+/// A slanted board over a large floor; the light shines down from one side, the camera sees the shadow at an angle.
+/// `boardStep` and `cameraStep`: how far they move in a second, which is a frame.
 inline std::shared_ptr<ProceduralScene> boardScene(glm::dvec3 boardStep = glm::dvec3(0.0),
                                                    glm::dvec3 cameraStep = glm::dvec3(0.0)) {
     auto scene = std::make_shared<ProceduralScene>();
@@ -53,7 +53,7 @@ inline std::unique_ptr<HistoryShadow> makeHistory() {
     return std::make_unique<HistoryShadow>(sharedRenderer().programs());
 }
 
-/// One jittered map's answers, without a history.
+/// Lit values of one jittered map, without a history.
 inline std::unique_ptr<HistoryShadow> makeJitteredMap() {
     auto technique = makeHistory();
     setFromText(*technique, "try_triangles", "off");

@@ -11,7 +11,7 @@
 namespace timeshade {
 namespace {
 
-/// Must show 1: an empty history, a still camera.
+/// From an empty history, with a static camera.
 TEST(HistoryStatic, ConvergesToTheOraclesHardShadow) {
     const auto scene = boardScene();
     const FramePlan plan = FramePlanner(*scene).plan(staticRequest(256, 192, 96));
@@ -28,10 +28,10 @@ TEST(HistoryStatic, ConvergesToTheOraclesHardShadow) {
                                         std::to_string(repaired[59]));
     EXPECT_LT(repaired[19], 0.25 * repaired[0]);
     EXPECT_LT(repaired[59], 0.15 * repaired[0]);
-    // About 20 pixels of an edge are still in doubt at the end: one or two may turn the wrong way for a while.
+    // About 20 pixels of an edge are not sure at the end: one or two may be wrong for some frames.
     const std::array<std::size_t, 6> shown{0, 4, 9, 19, 39, 59};
     for (std::size_t i = 1; i < shown.size(); ++i) EXPECT_LT(repaired[shown[i]], repaired[shown[i - 1]] + 1e-4);
-    // What the paper's form can't: it forgets what it knew.
+    // The published form does not converge: exponential smoothing forgets older frames.
     const std::vector<double> published =
         errorsOf({{"as_published", "on"}, {"jitter", "2"}, {"fit", "0"}, {"bias", "0.5"}});
     EXPECT_GT(published[59], 2.0 * repaired[59]);
@@ -54,7 +54,7 @@ TEST(HistoryStatic, EveryFitConverges) {
         }
 }
 
-/// A moment that is held with the shutter open converges to the share of the shutter, which one map can't know.
+/// A frame that is held with the shutter open converges to the lit share of the shutter, which one map does not hold.
 TEST(HistoryStatic, BlurredShadowsConvergeToTheirShare) {
     for (const char* name : {"quad_sweeps_point", "light_slides"}) {
         const ClosedFormCase& c = closedFormCase(name);
@@ -67,8 +67,8 @@ TEST(HistoryStatic, BlurredShadowsConvergeToTheirShare) {
     }
 }
 
-/// A caster's edge is where it is from the first frame on, however coarse the map: its triangle is tried against each
-/// pixel's own ray.
+/// A caster's edge is exact from the first frame on, however coarse the map: its triangle is tested against each
+/// pixel's own segment to the light.
 TEST(HistoryStatic, EdgesAreSharpAtOnce) {
     const auto scene = boardScene();
     const FramePlan plan = FramePlanner(*scene).plan(staticRequest(160, 120, 64));
@@ -82,8 +82,9 @@ TEST(HistoryStatic, EdgesAreSharpAtOnce) {
     EXPECT_EQ(meanDifference(drawnLit(plan, *technique), truth), 0.0);
 }
 
-/// Numerics B.17: 10,000 frames of a constant scene. Lit stays lit, dark stays dark, the edge stays where it is.
-/// Something far away moves on, or the picture would be finished after 64 frames.
+/// Sums in float must not drift: after 10,000 frames of a constant scene lit pixels are lit, shadowed ones shadowed,
+/// and the edge has not moved. A distant object moves all the time, or the picture would have converged after 64
+/// frames.
 TEST(HistoryStatic, DoesNotDriftInTenThousandFrames) {
     const auto scene = boardScene();
     scene->quads.push_back(slidingQuad({0.0, 0.0, -50.0}, {16.0, 0.0, -50.0}, 0.1, -0.1, 0.1));
@@ -105,7 +106,7 @@ TEST(HistoryStatic, DoesNotDriftInTenThousandFrames) {
     EXPECT_LE(errors[1], errors[0] + 1e-6);
     EXPECT_LE(errors[2], errors[1] + 1e-6);
     EXPECT_LT(errors[2], 0.01);
-    EXPECT_EQ(technique.statistics().front().value, 9999.0) << "frames with a still camera";
+    EXPECT_EQ(technique.statistics().front().value, 9999.0) << "frames with a static camera";
 }
 
 TEST(HistoryMemory, IsWhatWasPredicted) {
@@ -113,11 +114,11 @@ TEST(HistoryMemory, IsWhatWasPredicted) {
     const auto technique = makeHistory();
     const FramePlan plan = FramePlanner(*scene).plan(staticRequest(64, 48, 128));
     drawnLit(plan, *technique);
-    // Two buffers of 16 bytes a pixel, the map's depths and triangles, the uniforms; nothing moves, so there is neither
-    // mask nor older mesh.
+    // Two buffers of 16 bytes per pixel, the map's depths and triangles, the uniforms; nothing moves, so there is
+    // neither mask nor older mesh.
     const std::size_t first = std::size_t{2 * 16 * 64 * 48 + (4 + 4) * 128 * 128} + sizeof(shared::HistoryBlock);
     EXPECT_EQ(technique->bytes(), first);
-    // With a still camera pixels may rest: 8 bytes a pixel, and 4 a sample.
+    // With a static camera pixels may converge: 8 bytes per pixel, and 4 per sample.
     drawnLit(plan, *technique);
     EXPECT_EQ(technique->bytes(), first + std::size_t{(8 + 4) * 64 * 48});
 }

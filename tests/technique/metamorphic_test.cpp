@@ -1,4 +1,4 @@
-// Checks that need no exact answer: what must not change a picture, or must change it in one direction only. The three
+// Checks that need no exact value: what must not change a picture, or must change it in one direction only. The three
 // scenes that come with the program, and random ones.
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace timeshade {
 namespace {
 
-/// Quads that fly and turn over a ground, under a spot that moves; nothing repeats between seeds.
+/// Quads that move and rotate over a ground, under a spot that moves; nothing repeats between seeds.
 std::shared_ptr<const Scene> randomScene(std::uint32_t seed) {
     AwkwardNumbers numbers(seed);
     auto scene = std::make_shared<ProceduralScene>();
@@ -57,7 +57,7 @@ std::shared_ptr<const Scene> sceneOf(const std::string& name) {
     return scene;
 }
 
-/// With TIMESHADE_FULL_SIZE set: pictures as the program draws them when it is asked for nothing else. Takes minutes.
+/// With TIMESHADE_FULL_SIZE set: pictures at the program's default size. Takes minutes.
 bool atFullSize() { return std::getenv("TIMESHADE_FULL_SIZE") != nullptr; }
 
 FrameRequest requestOf(const Scene& scene) {
@@ -109,7 +109,7 @@ class Metamorphic : public testing::TestWithParam<Parameters> {
         supported_ = !technique_->unsupported(planner.plan(request_));
         if (supported_) original_ = draw(*scene_, request_, *technique_);
     }
-    /// Only the last render of several is compared sample by sample; it has as good a time as any.
+    /// Only the last render of several is compared sample by sample; its time is as good as any other.
     double ppmOf(const Scene& changed) {
         const double ppm = changedPpm(original_, draw(changed, request_, *technique_));
         if (atFullSize())
@@ -142,7 +142,7 @@ TEST_P(Metamorphic, FarScaledAndTurnedWorlds) {
 TEST_P(Metamorphic, TheSameSurfaceOtherwiseCut) {
     if (!supported_) GTEST_SKIP();
     EXPECT_LE(ppmOf(ChangedScene(scene_, {}, withCornersTurned)), allowedPpm) << "corners turned";
-    // A technique that carries a triangle's edge on across the texel carries on another edge then: within its own
+    // A technique that extrapolates a triangle's edge across the texel extrapolates another edge then: within its own
     // error, a few per mille here.
     const double allowed = technique_->samplingTraits().extendsToReceiver ? 5000.0 : 3.0 * allowedPpm;
     EXPECT_LE(ppmOf(ChangedScene(scene_, {}, subdivided)), allowed) << "each triangle in four";
@@ -161,7 +161,7 @@ TEST(OtherDiagonal, IsTurnedInEveryQuadOnce) {
 
 TEST_P(Metamorphic, TimeBackwardsAndInHalves) {
     if (!supported_) GTEST_SKIP();
-    // Other samples of the same mean: four standard errors, the samples of a pixel being tied to nothing else.
+    // Other samples of the same mean: four standard errors, the samples of a pixel being independent of all others.
     const double noise = 4.0 * 0.5 / std::sqrt(static_cast<double>(original_.lit.size())) + 0.002;
     const double open = request_.shutter.openSeconds(request_.frame),
                  close = request_.shutter.closeSeconds(request_.frame);
@@ -182,7 +182,7 @@ TEST_P(Metamorphic, TimeBackwardsAndInHalves) {
 
 TEST_P(Metamorphic, ACasterMoreNeverBrightens) {
     if (!supported_) GTEST_SKIP();
-    // A quad between the light and the middle of the scene, out of nobody's way.
+    // A quad between the light and the centre of the scene, which touches nothing.
     const LightPose light = scene_->light(request_.shutter.openSeconds(request_.frame));
     const Bounds& bounds = scene_->bounds();
     const glm::dvec3 towards =
@@ -199,12 +199,13 @@ TEST_P(Metamorphic, ACasterMoreNeverBrightens) {
         brighter += with.lit[i] > original_.lit[i] + 1e-3f ? 1u : 0u;
         darker += with.lit[i] < original_.lit[i] - 1e-3f ? 1u : 0u;
     }
-    // A history answers for the whole pixel: where the new caster is seen, the pixel's other samples share its light.
+    // A history holds one value for the whole pixel: where the new caster is seen, the pixel's other samples share its
+    // light.
     const double allowed = light.kind == LightKind::Directional   ? 1e4
                            : std::get<0>(GetParam()) == "history" ? 1e3
                                                                   : 0.0;
     EXPECT_LE(1e6 * static_cast<double>(brighter) / static_cast<double>(with.lit.size()), allowed);
-    EXPECT_GT(darker, 0u) << "the caster casts nothing: this shows nothing";
+    EXPECT_GT(darker, 0u) << "the caster casts no shadow, so the test shows nothing";
 }
 
 std::vector<std::string> techniqueNames() {

@@ -1,5 +1,5 @@
-// The plan simulates only what a scene calls for, and nobody may see it: pictures with the plan and what it keeps,
-// drawn in a row, are those of --no-plan, drawn alone.
+// The plan simulates only what a scene calls for, without any effect on pictures: those drawn in sequence with the plan
+// and the caches are those drawn alone with --force-dynamic.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -17,10 +17,10 @@
 namespace timeshade {
 namespace {
 
-/// Those whose picture is a matter of the frame alone.
+/// Techniques whose picture depends on the frame alone.
 const std::vector<std::string> techniques{"static", "tsm", "accumulation", "ranges", "temporal", "exact"};
 
-/// Two renderers, so that what one keeps is not disturbed by the other.
+/// Two renderers, so that neither disturbs the other's caches.
 FrameRenderer& plannedRenderer() { return sharedRenderer(); }
 FrameRenderer& forcedRenderer() {
     static FrameRenderer renderer;
@@ -69,7 +69,7 @@ struct Sequence {
     }
 };
 
-/// Something that a user does between two frames.
+/// A change that a user makes between two frames.
 std::string disturb(Sequence& s, AwkwardNumbers& numbers) {
     switch (numbers.below(16)) {
     case 0: s.request.frame = static_cast<double>(numbers.below(EventfulScene::frames)); return "seek";
@@ -95,8 +95,8 @@ std::string disturb(Sequence& s, AwkwardNumbers& numbers) {
 
 class PlanOfTechnique : public testing::TestWithParam<std::string> {};
 
-/// 84 sequences of 6 frames for each of six techniques. Where two differ, rounding decided: a texel whose middle lies
-/// on an edge, a depth that all but equals the receiver's.
+/// 84 sequences of 6 frames for each of six techniques. Where two differ, rounding decided: a texel whose centre lies
+/// on an edge, a depth that nearly equals the receiver's.
 TEST_P(PlanOfTechnique, RandomSequencesLookAsIfNothingWerePlanned) {
     constexpr std::uint32_t sequences = 84;
     constexpr int framesEach = 6;
@@ -123,18 +123,18 @@ TEST_P(PlanOfTechnique, RandomSequencesLookAsIfNothingWerePlanned) {
             story += " " + disturb(s, numbers);
         }
     }
-    EXPECT_GT(cachedFrames, 80u) << "too few frames in which anything could be kept";
+    EXPECT_GT(cachedFrames, 80u) << "too few frames in which anything could be cached";
     const auto ppm = [&](std::size_t count) {
         return 1e6 * static_cast<double>(count) / static_cast<double>(difference.samples);
     };
-    fmt::print("{}: {:.2f} ppm of {} samples see another triangle, {:.2f} another light; kept in {} frames\n",
+    fmt::print("{}: {:.2f} ppm of {} samples see another triangle, {:.2f} another light; cached in {} frames\n",
                GetParam(), ppm(difference.ids), difference.samples, ppm(difference.lit), cachedFrames);
     EXPECT_LE(ppm(difference.ids), 5.0);
     EXPECT_LE(ppm(difference.lit), 5.0);
 }
 
 /// The scenes that come with the program, at 20 settings drawn at random: frame, samples, map, shutter, seed, bias.
-/// Each moment is drawn three times, so that what is kept is in use.
+/// Each frame is drawn three times, so that the caches are used.
 TEST_P(PlanOfTechnique, ScenesLookAsIfNothingWerePlanned) {
     AwkwardNumbers numbers(4711);
     const std::vector<std::string> names{"chess", "octopus", "pillars", "cubes", "rising"};

@@ -45,7 +45,7 @@ MovingQuad box(double x0, double x1, double y0, double y1, double z) {
     return quad;
 }
 
-/// Casters over a receiver so small that all of it has one answer, seen from `height` above.
+/// Casters over a receiver so small that all of it has one lit value, seen from `height` above.
 std::shared_ptr<ProceduralScene> over(const glm::dvec3& receiver, std::vector<MovingQuad> casters,
                                       double height = 1.0) {
     auto scene = std::make_shared<ProceduralScene>();
@@ -60,7 +60,7 @@ std::shared_ptr<ProceduralScene> over(const glm::dvec3& receiver, std::vector<Mo
     return scene;
 }
 
-/// The quad Q(c) of the catalogue at height z, its centre going from c0 to c1.
+/// The quad Q(c) of the analytic cases at height z, its centre going from c0 to c1.
 MovingQuad caster(double c0, double c1, double z = 5.0) {
     return slidingQuad({c0, 0.0, z}, {c1, 0.0, z}, 0.5, -0.4, 0.6);
 }
@@ -161,7 +161,7 @@ TEST(Ranges, AreExactWherePrismsCanBe) {
     EXPECT_NEAR(litShare(*slivers(1000), false, 256), 0.5, 0.02) << "many_slivers";
 }
 
-/// What the sides of a prism are, where a triangle does not just move: four flat triangles instead of a bilinear
+/// Where a triangle does not only translate, the sides of its prism are four flat triangles instead of a bilinear
 /// surface.
 TEST(Ranges, RepairedIsRightWithinTheBilinearError) {
     EXPECT_NEAR(litShare(*flipTriangle(), false), 0.14, 0.02);
@@ -176,17 +176,18 @@ TEST(Ranges, RepairedIsRightWhereThePublishedFormFails) {
 }
 
 TEST(Ranges, PublishedFailsAsPredicted) {
-    EXPECT_NEAR(litShare(*flipTriangle(), true), 0.0, 0.01) << "the gap between the two visits is lost";
+    EXPECT_NEAR(litShare(*flipTriangle(), true), 0.0, 0.01) << "the gap between the two coverage intervals is lost";
     EXPECT_NEAR(litShare(*invertTriangle(), true), 0.0, 0.01) << "caps are paired with caps: covered throughout";
-    // The receiver's place in the map is 0.2 / (1 + u), the caster's edge goes from 0.25 to 0.25 / 3, evenly by
+    // The receiver's position in the map is 0.2 / (1 + u); the caster's edge goes from 0.25 to 0.25 / 3, linearly by
     // hypothesis.
     const double meet = (1.0 + std::sqrt(1.0 + 4.0 * 2.0 * 0.6)) / 4.0;
     EXPECT_NEAR(litShare(*lightRecedes(), true), 1.0 - meet, 2.0 * noise + 0.01) << "linear in the map";
-    // 1/d goes evenly from 1/2 to 1/20, and is 1/11 at u = 10/11.
-    EXPECT_NEAR(litShare(*rangeLerp(), true), 1.0 / 11.0, 2.0 * noise + 0.001) << "window depth linear in time";
+    // 1/d goes linearly from 1/2 to 1/20, and is 1/11 at u = 10/11.
+    EXPECT_NEAR(litShare(*rangeLerp(), true), 1.0 / 11.0, 2.0 * noise + 0.001) << "NDC depth linear in time";
 }
 
-/// The near plane cuts prisms open, and the lists say so; the repaired form makes no prisms of what crosses it.
+/// The near plane cuts prisms open, which the statistics count; the repaired form makes no prisms of triangles that
+/// cross it.
 TEST(Ranges, CountWhatIsNotClosed) {
     const auto scene = pastTheLight();
     for (const bool asPublished : {false, true}) {
@@ -221,7 +222,7 @@ TEST(Ranges, ACubeTopIsLit) {
     EXPECT_EQ(litShare(*scene, false), 1.0);
 }
 
-/// A steep triangle that moves, with no bias at all: its own ranges are told by their number and left out.
+/// A steep moving triangle, without any bias: its own ranges are recognised by its number and skipped.
 TEST(Ranges, NoTriangleShadowsItself) {
     for (const bool asPublished : {false, true}) {
         auto scene = std::make_shared<ProceduralScene>();
@@ -267,12 +268,12 @@ TEST(Ranges, ViewsShowTheTexelsOfTheReceivers) {
     const FramePlan plan = FramePlanner(*still).plan(ProceduralScene::request(8, 8, 4, 256, 1));
     for (const float ranges : drawnView(plan, *technique, "ranges")) EXPECT_EQ(ranges, 0.0f);
     for (const float time : drawnView(plan, *technique, "time")) EXPECT_LT(time, 0.0f) << "nothing to show";
-    EXPECT_EQ(figure(*technique, "fragments"), 0.0) << "still triangles have no prisms";
+    EXPECT_EQ(figure(*technique, "fragments"), 0.0) << "static triangles have no prisms";
     EXPECT_EQ(figure(*technique, "static triangles"), 4.0);
     EXPECT_EQ(litShare(*still, false), 0.0);
 }
 
-/// A map whose lists can't be held is refused by name, and the next frame is drawn as if nothing had been.
+/// A map whose lists can't be held is refused with the limit's name, and the next frame is drawn as usual.
 TEST(Ranges, NameTheLimitThatAMapMeets) {
     const auto scene = over({0, 0, 0}, {caster(-1.25, 1.25)});
     const std::unique_ptr<Technique> technique = makeTechnique("ranges", sharedRenderer().programs());

@@ -1,6 +1,6 @@
 // Temporal shadow maps on scenes whose lit share is known exactly: the repaired form is right to the texel, also where
-// triangles turn; the published form is wrong by as much as theory says. What the coverage map may and may not change,
-// and what the lists cost.
+// triangles rotate; the published form is wrong by as much as theory says. What the coverage map may and may not
+// change, and how much memory the lists take.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,7 +35,7 @@ MovingQuad caster(double c0, double c1, double z = 5.0) {
     return slidingQuad({c0, 0.0, z}, {c1, 0.0, z}, 0.5, -0.4, 0.6);
 }
 
-/// Casters over a receiver so small that all of it has one answer.
+/// Casters over a receiver so small that all of it has one lit value.
 std::shared_ptr<ProceduralScene> over(const glm::dvec3& receiver, std::vector<MovingQuad> casters,
                                       double cameraHeight = 1.0) {
     auto scene = std::make_shared<ProceduralScene>();
@@ -77,8 +77,8 @@ std::shared_ptr<ProceduralScene> rangeLerp() {
     return over({0.01, 0.02, -1.0}, {slidingQuad({0, 0, 8}, {0, 0, -10}, 1.0, -1.0, 1.0)}, 0.01);
 }
 
-/// Boards that fly, turn and bend over one another, some over the same place throughout, above a floor that rises a
-/// little.
+/// Boards that translate, rotate and deform above one another, some over the same texels throughout, above a floor that
+/// rises a little.
 std::shared_ptr<ProceduralScene> heap(std::uint32_t seed) {
     std::uint32_t state = seed;
     const auto number = [&](double low, double high) {
@@ -174,7 +174,7 @@ TEST(Temporal, ManySliversAddUp) {
     EXPECT_NEAR(litShare(*over({0.001, 0.002, 0.0}, casters), {}, 256), 0.5, 0.02);
 }
 
-TEST(Temporal, RepairedIsRightWhereTrianglesTurn) {
+TEST(Temporal, RepairedIsRightWhereTrianglesRotate) {
     for (const bool coverageMap : {false, true}) {
         const Options options{false, coverageMap};
         EXPECT_NEAR(litShare(*flipTriangle(), options), 0.14, tolerance);
@@ -198,19 +198,19 @@ TEST(Temporal, RepairedIsRightUnderPerspective) {
 TEST(Temporal, PublishedFailsAsPredicted) {
     const Options published{true, false}, withCoverage{true, true};
     EXPECT_NEAR(litShare(*flipTriangle(), published), 0.0, 0.01)
-        << "first and last: the gap between two visits is lost";
+        << "first and last: the gap between two coverage intervals is lost";
     EXPECT_NEAR(litShare(*invertTriangle(), published), 0.0, 0.01) << "the same";
     EXPECT_NEAR(litShare(*invertTriangle(), withCoverage), 0.0, 0.01)
         << "both ends cover, so it is taken to cover throughout";
-    // The receiver's place in the map is 0.2 / (1 + u), the caster's edge goes from 0.25 to 0.25 / 3, evenly by
+    // The receiver's position in the map is 0.2 / (1 + u); the caster's edge goes from 0.25 to 0.25 / 3, linearly by
     // hypothesis.
     const double meet = (1.0 + std::sqrt(1.0 + 4.0 * 2.0 * 0.6)) / 4.0;
     EXPECT_NEAR(litShare(*lightRecedes(), published), 1.0 - meet, 2.0 * noise + 0.01) << "times linear in the map";
-    // 1 / d goes evenly from 1/2 to 1/20, and is 1/11 at u = 10/11.
-    EXPECT_NEAR(litShare(*rangeLerp(), published), 1.0 / 11.0, 2.0 * noise + 0.001) << "window depth linear in time";
+    // 1 / d goes linearly from 1/2 to 1/20, and is 1/11 at u = 10/11.
+    EXPECT_NEAR(litShare(*rangeLerp(), published), 1.0 / 11.0, 2.0 * noise + 0.001) << "NDC depth linear in time";
 }
 
-/// The triangle of row 14 covers the texel at both ends, and not between: the published coverage map claims it, the
+/// The triangle of case 14 covers the texel at both ends, and not between: the published coverage map claims it, the
 /// repaired one must not.
 TEST(Temporal, OnlyThePublishedCoverageMapClaimsWhatIsNotCovered) {
     const auto scene = invertTriangle();
@@ -273,7 +273,7 @@ std::vector<float> visibilityOf(const FramePlan& plan, Technique& technique) {
     return sharedRenderer().readVisibility();
 }
 
-/// Not one sample, whatever the bias; and it has to have spared something for that to mean anything.
+/// Not one sample, whatever the bias; and some tuples must have been left out, or the test would show nothing.
 TEST(Temporal, TheRepairedCoverageMapChangesNothing) {
     double spared = 0.0;
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
@@ -329,7 +329,7 @@ TEST(Temporal, ViewsShowTheTexelsOfTheReceivers) {
         const std::unique_ptr<Technique> technique = temporal({asPublished, false});
         sharedRenderer().draw(plan, *technique, View::Final, "tuples");
         const LinearImage tuples = sharedRenderer().readRadiance();
-        // A quad is two triangles; the point that it shows is met by one of them or, on its way, by both.
+        // A quad is two triangles; the point is covered by one of them or, one after the other, by both.
         for (const float value : tuples.rgb) {
             EXPECT_GE(value, 3.0f);
             EXPECT_LE(value, 6.0f);

@@ -1,4 +1,4 @@
-// What lies in a side of the scene's box that the light shines on from within can shadow nothing: and only there.
+// Triangles in a side of the scene's box that faces the light cannot cast shadows; those elsewhere may.
 #include <gtest/gtest.h>
 
 #include "cases/procedural_scene.h"
@@ -60,7 +60,8 @@ TEST_F(BoundingPlanesTest, IsNoneToALightBehindIt) {
 
 TEST_F(BoundingPlanesTest, IsNoneToALightThatGrazesIt) {
     add(2.0, 3.0);
-    scene_.lightOpen.position.z = scene_.lightClose.position.z = 1e-2;  // rounding is more than its share of the way
+    scene_.lightOpen.position.z = scene_.lightClose.position.z =
+        1e-2;  // rounding is more than the least relative distance
     EXPECT_FALSE(groundIsABoundingPlane());
 }
 

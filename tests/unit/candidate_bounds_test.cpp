@@ -1,5 +1,5 @@
-// What the candidate lists rest on: a cell that a moving triangle covers anywhere, at any time, is never left out, nor
-// is a receiver behind it turned away by the packed bounds. Random and adversarial triangles; the truth in double,
+// What the candidate lists rely on: a cell that a moving triangle covers anywhere, at any time, is never left out, nor
+// is a receiver behind it rejected by the packed bounds. Random and adversarial triangles, against double precision,
 // point by point.
 #include <set>
 
@@ -84,7 +84,7 @@ TEST_F(CandidateBounds, NoCoveredCellIsLeftOut) {
     EXPECT_GT(left, seen / 4);
 }
 
-TEST_F(CandidateBounds, PackedBoundsNeverTurnAwayWhatTheyHold) {
+TEST_F(CandidateBounds, PackedBoundsNeverRejectWhatTheyHold) {
     int away = 0;
     for (int n = 0; n < 200000; ++n) {
         const vec2 low(dvec3(number(-0.5, 1.2), number(-0.5, 1.2), 0.0));
@@ -103,7 +103,7 @@ TEST_F(CandidateBounds, PackedBoundsNeverTurnAwayWhatTheyHold) {
             ASSERT_TRUE(reached) << n;
         }
         away += reached ? 0 : 1;
-        // Without the depth, what the fields say one by one.
+        // Without the depth: the fields compared one by one.
         const auto sixteenth = [](float x) { return glm::clamp(static_cast<int>(std::floor(x * 16.0f)), 0, 15); };
         const bool within = sixteenth(inside.x) >= sixteenth(low.x) && sixteenth(inside.y) >= sixteenth(low.y) &&
                             sixteenth(inside.x) <= sixteenth(high.x) && sixteenth(inside.y) <= sixteenth(high.y);
@@ -131,7 +131,7 @@ TEST_F(CandidateBounds, StepsOfDepthNeverDecrease) {
     }
     EXPECT_EQ(shared::depthStep(0.0f, 0.1f), 0u);
     EXPECT_EQ(shared::depthStep(1e30f, 0.1f), 2047u);
-    // 128 steps an octave: a hundredth more is another step.
+    // 128 steps per octave: a hundredth more is another step.
     EXPECT_LT(shared::depthStep(7.0f, 0.1f), shared::depthStep(7.07f, 0.1f));
 }
 

@@ -1,4 +1,4 @@
-// The catalogue of hard cases by itself: its exact shares against brute integration in double precision.
+// The analytic cases themselves: their exact lit shares against numerical integration in double precision.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,14 +44,14 @@ TEST(ClosedFormCases, NumericOnesAreExact) {
         }
 }
 
-/// What theory says of a technique that looks at the wrong time, from its traits alone.
+/// What theory predicts for a technique that tests at another time than the sample's, from its traits alone.
 TEST(Expectation, HasTheNumbersOfTheory) {
-    SamplingTraits still;
-    still.times = SamplingTraits::Times::OneInstant;
-    still.texelCentres = true;
-    EXPECT_EQ(expectationOf(closedFormCase("quad_sweeps_point"), still, 8, 512).litShare, 0.0);
-    EXPECT_NEAR(expectationOf(closedFormCase("quad_enters"), still, 8, 512).litShare, 1.0, 1e-9);
-    EXPECT_NEAR(expectationOf(closedFormCase("subtexel_static"), still, 8, 512).litShare, 1.0, 1e-9);
+    SamplingTraits oneInstant;
+    oneInstant.times = SamplingTraits::Times::OneInstant;
+    oneInstant.texelCentres = true;
+    EXPECT_EQ(expectationOf(closedFormCase("quad_sweeps_point"), oneInstant, 8, 512).litShare, 0.0);
+    EXPECT_NEAR(expectationOf(closedFormCase("quad_enters"), oneInstant, 8, 512).litShare, 1.0, 1e-9);
+    EXPECT_NEAR(expectationOf(closedFormCase("subtexel_static"), oneInstant, 8, 512).litShare, 1.0, 1e-9);
 
     SamplingTraits random;
     random.times = SamplingTraits::Times::RandomInStratum;

@@ -1,5 +1,5 @@
 // Which surfaces may lose the triangles that face away from the light: those without a border, outside of which camera
-// and light are all through the shutter, and through whose backs nobody looks in.
+// and light are all through the shutter, and whose back faces the camera never sees from inside.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Shape without(Shape shape, std::size_t triangle) {
     return shape;
 }
 
-/// Shapes repeat vertices where their normals differ; here those of one place are one.
+/// Shapes repeat vertices where their normals differ; here those at one position are one.
 bool meetsItself(const Shape& shape) {
     std::vector<glm::u32vec3> triangles = shape.triangles;
     for (glm::u32vec3& t : triangles)
@@ -118,7 +118,7 @@ TEST_F(ClosedSurfacesTest, NeedOneSense) {
 TEST_F(ClosedSurfacesTest, OneSidedOnesMustNotBeInsideOut) {
     add(reversed(cube));
     EXPECT_EQ(surfaces().count(), 0u);
-    add(reversed(cube), 1);  // nobody looks in through a back that is seen
+    add(reversed(cube), 1);  // a back face that is seen would be missing
     EXPECT_EQ(surfaces().count(), 1u);
 }
 
@@ -135,7 +135,7 @@ TEST_F(ClosedSurfacesTest, OneSidedOnesMustNotCrossThemselves) {
     EXPECT_EQ(surfaces().count(), 1u);
 }
 
-TEST_F(ClosedSurfacesTest, KnowsATurnedGridOfFlatSidesAsItself) {
+TEST_F(ClosedSurfacesTest, ATurnedGridOfFlatSidesDoesNotCrossItself) {
     // Coplanar neighbours, all of whose coordinates are rounded.
     Shape turnedBox = box({2.4, 2.4, 2.4}, {18, 30, 20});
     const glm::dvec3 axis = glm::normalize(glm::dvec3(1.0, 0.7, -0.3)),
@@ -164,7 +164,7 @@ TEST_F(ClosedSurfacesTest, TakeVerticesOfOneInstanceForOne) {
     }
     add(split);
     EXPECT_EQ(pairs(), (std::vector<char>{0, 1}));
-    // A seam that opens lets the way to the light through.
+    // A seam that opens lets light through.
     const ClosedSurfaces closed = surfaces();
     mesh_.positionsClose[0].x += 1e-9;
     EXPECT_EQ(closed.facingAwayCullable(mesh_, glm::dvec3(0.0), camera_, light_), (std::vector<char>{0, 0}));

@@ -57,8 +57,8 @@ void expectIntervals(const Path& path, glm::dvec2 point, const std::vector<Span>
     const shared::CoverageIntervals intervals = shared::intervalsOf(quadraticsOf(path, point));
     ASSERT_EQ(intervals.count, static_cast<int>(expected.size()));
     for (int i = 0; i < intervals.count; ++i) {
-        EXPECT_NEAR(intervals.begins[i], expected[static_cast<std::size_t>(i)].begin, tolerance) << "visit " << i;
-        EXPECT_NEAR(intervals.ends[i], expected[static_cast<std::size_t>(i)].end, tolerance) << "visit " << i;
+        EXPECT_NEAR(intervals.begins[i], expected[static_cast<std::size_t>(i)].begin, tolerance) << "interval " << i;
+        EXPECT_NEAR(intervals.ends[i], expected[static_cast<std::size_t>(i)].end, tolerance) << "interval " << i;
     }
 }
 
@@ -80,7 +80,7 @@ TEST(CoverageIntervals, KnownCases) {
         EXPECT_EQ(shared::intervalsOfTranslation(quadraticsOf(path, {-.25, -1.25})).count, 0);
     }
     {
-        SCOPED_TRACE("collapses and turns over: two visits");
+        SCOPED_TRACE("collapses and turns over: two intervals");
         expectIntervals({{{{-1, -1}, {1, -1}, {0, 1}}}, {{{-1, 1.5}, {1, 1.5}, {0, -2}}}}, {0, .1},
                         {{0, .3}, {.44, 1}});
     }
@@ -111,8 +111,8 @@ TEST(CoverageIntervals, KnownCases) {
     }
 }
 
-/// Where the sides are flat, bent, crossed or nearly so: no instant may be told wrong but in a hair's breadth of an
-/// end.
+/// Where the prism's sides are flat, twisted, crossed or nearly so: no instant may be classified wrongly except within
+/// rounding of an interval's end.
 TEST(CoverageIntervals, AgreeWithInstantsInDoublePrecision) {
     std::mt19937 random(20170713);
     std::uniform_real_distribution<double> place(-1.0, 1.0), size(0.05, 1.5);
@@ -154,7 +154,7 @@ TEST(CoverageIntervals, AgreeWithInstantsInDoublePrecision) {
             throughout = throughout && truth;
             inside += truth;
             if (truth == within(intervals, u)) continue;
-            // Allowed only where the truth itself changes within a hair.
+            // Allowed only where the exact value itself changes within rounding.
             bool near = false;
             for (const double d : {-2e-5, 2e-5})
                 near = near || exactSide(path, point, u + d) != exactSide(path, point, u);
@@ -170,7 +170,7 @@ TEST(CoverageIntervals, AgreeWithInstantsInDoublePrecision) {
     }
     EXPECT_EQ(wrong, 0u);
     EXPECT_GT(inside, 100000u);
-    EXPECT_GT(twice, 50u) << "the cases hold too few double visits to say anything";
+    EXPECT_GT(twice, 50u) << "too few cases with two intervals for the test to mean anything";
 }
 
 TEST(CoverageIntervals, DistanceIsThatOfThePlaneAndStaysFinite) {

@@ -1,4 +1,4 @@
-// What the plan knows about each triangle, and what it may keep from frame to frame.
+// The plan's facts about each triangle, and what may be cached from frame to frame.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ class FrameMotion : public testing::Test {
     ProceduralScene scene_;
 };
 
-TEST_F(FrameMotion, KnowsWhatMovesRelativeToWhat) {
+TEST_F(FrameMotion, ClassifiesMotionRelativeToWorldLightAndCamera) {
     add({0, 0, 0}, {0, 0, 0});
     add({1, 0, 0}, {2, 0, 0});
     scene_.lightClose.position.x = 1.0;
@@ -45,7 +45,7 @@ TEST_F(FrameMotion, KnowsWhatMovesRelativeToWhat) {
     EXPECT_TRUE(of(p, 2).camera.moves);
 }
 
-TEST_F(FrameMotion, TellsTurningFromMovingAlong) {
+TEST_F(FrameMotion, TellsRotationFromTranslation) {
     addTriangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}});
     addTriangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}}});
     const FramePlan p = plan();
@@ -68,7 +68,7 @@ TEST_F(FrameMotion, NamesASideOnlyWhereItIsTheSameThroughout) {
     EXPECT_EQ(of(p, 2).light.facing, Facing::Unsure);
 }
 
-TEST_F(FrameMotion, KnowsWhatComesIntoAView) {
+TEST_F(FrameMotion, ListsWhatComesIntoAView) {
     add({0, 0, 0}, {0, 0, 0});
     add({60, 0, 0}, {50, 0, 0});
     add({-60, 0, 0}, {60, 0, 0});    // passes through between the ends
@@ -82,7 +82,7 @@ TEST_F(FrameMotion, KnowsWhatComesIntoAView) {
     EXPECT_FALSE(of(p, 0).light.reachesNearPlane);
 }
 
-/// One moving piece that neither view sees, and whose shadow nobody does, is in no list at all.
+/// A moving object that neither view sees, and whose shadow the camera does not see, is in no list.
 TEST_F(FrameMotion, WhatCannotMatterIsInNoList) {
     add({0, 0, 0}, {0, 0, 0});
     add({60, 0, 0}, {61, 0, 0});
@@ -105,7 +105,7 @@ TEST_F(FrameMotion, WhatCannotMatterIsInNoList) {
     EXPECT_EQ(all.versions.lit, 0u);
 }
 
-/// A point behind a caster that the camera sees is proof that its shadow may be seen.
+/// If the camera sees a point behind a caster, its shadow may be seen.
 TEST(ShadowReach, NeverDropsAShadowThatIsSeen) {
     AwkwardNumbers numbers(77);
     const auto point = [&](float size) {
@@ -158,7 +158,7 @@ TEST(ShadowReach, NeverDropsAShadowThatIsSeen) {
     EXPECT_GT(seen, 500);
 }
 
-TEST_F(FrameMotion, VersionsChangeWithWhatStandsStillAndWithNothingElse) {
+TEST_F(FrameMotion, VersionsChangeWithStaticTrianglesAndWithNothingElse) {
     add({0, 0, 0}, {0, 0, 0});
     add({0, 0, 3}, {1, 0, 3});
     scene_.finish();
@@ -187,7 +187,7 @@ TEST_F(FrameMotion, VersionsChangeWithWhatStandsStillAndWithNothingElse) {
     EXPECT_NE(next.versions.lit, first.versions.lit);
 
     other = request();
-    other.shutter.length = 0.0;  // the quad stands still as well
+    other.shutter.length = 0.0;  // the quad is static as well
     next = planner.plan(other);
     EXPECT_NE(next.versions.casters, first.versions.casters);
     EXPECT_TRUE(next.casters.nothingMoves());
@@ -202,7 +202,7 @@ TEST_F(FrameMotion, VersionsChangeWithWhatStandsStillAndWithNothingElse) {
     EXPECT_EQ(planner.plan(other).versions.casters, 0u);
 }
 
-TEST_F(FrameMotion, AnswersAreKeptOnlyUnderALightThatStandsStill) {
+TEST_F(FrameMotion, VisibilityIsCachedOnlyUnderAStaticLight) {
     add({0, 0, 0}, {0, 0, 0});
     scene_.lightClose.position.x = 0.5;
     scene_.finish();
@@ -218,7 +218,7 @@ TEST_F(FrameMotion, AnswersAreKeptOnlyUnderALightThatStandsStill) {
     EXPECT_TRUE(p.casters.staticCasters.empty());
 }
 
-TEST_F(FrameMotion, TheMaskHoldsEveryPlaceThatACasterPasses) {
+TEST_F(FrameMotion, TheMaskHoldsEveryTexelThatACasterOverlaps) {
     add({0, 0, 0}, {0, 0, 0});
     add({-1, 0.5, 4}, {1, -0.5, 5});
     const FramePlan p = plan();

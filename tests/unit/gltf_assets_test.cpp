@@ -27,7 +27,7 @@ TEST(SceneAssets, AllLoadAndLoop) {
         const LightPose from = scene->light(open);
         const LightPose to = scene->light(close);
         EXPECT_TRUE(mesh.positionsOpen != mesh.positionsClose || from.position != to.position);
-        // The default frame should not lose more than a percent to straight vertex paths (design section 1).
+        // The default frame should not lose more than a percent to straight vertex paths (docs/numerics.md).
         EXPECT_LE(mesh.largestTurnDegrees, 15.0);
         EXPECT_DOUBLE_EQ(scene->heldCloseSeconds(scene->duration() - 0.001, scene->duration() + 0.001),
                          scene->duration() + 0.001)

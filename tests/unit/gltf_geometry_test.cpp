@@ -1,4 +1,4 @@
-// What triangles a file becomes, and where its vertices go: small files with exact answers.
+// What triangles a file becomes, and where its vertices go: small files with known results.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Clips, shutters, cameras and lights: small files with exact answers.
+// Clips, shutters, cameras and lights: small files with known results.
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +84,7 @@ TEST(GltfMotion, NormalisedIntegerRotationsAndMorphWeights) {
     EXPECT_NEAR(mesh.positionsClose[1].y, 1.5, 1e-6);
 }
 
-TEST(GltfMotion, WhatStandsStillDoesSoToTheLastBit) {
+TEST(GltfMotion, StaticVerticesAreStaticToTheLastBit) {
     GltfFile file = movingQuad();
     file.addRoot({{"mesh", 0}, {"translation", {0.1, 0.2, 0.3}}});
     file.animate(0, "translation", {0, 1, 2}, file.vec3s({0.1f, 0.3f, 0.7f, 0.1f, 0.3f, 0.7f, 5, 0, 0}));

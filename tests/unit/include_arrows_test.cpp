@@ -1,4 +1,4 @@
-// The arrows of the design, enforced by reading every #include line: which layer may know which.
+// Which layer may include which (docs/architecture.md), enforced by reading every #include line.
 #include <gtest/gtest.h>
 
 #include <timeshade/paths.h>
@@ -100,12 +100,12 @@ std::optional<std::string> rendererComplaint(const Include& include) {
     if (rules == arrows.end()) return "renderer/" + parts[1] + " is no layer of the design";
     const bool inTechnique = parts[1] == "techniques" && parts.size() > 3;
     if (inTechnique && startsWith(include.target, "techniques/" + parts[2] + "/")) return std::nullopt;
-    // The registry is the one place that knows every technique.
+    // The registry is the one place that includes every technique.
     if (include.file == "renderer/techniques/registry.cpp" && startsWith(include.target, "techniques/"))
         return std::nullopt;
-    if (inTechnique && startsWith(include.target, "techniques/registry")) return "a technique knows no other";
+    if (inTechnique && startsWith(include.target, "techniques/registry")) return "a technique includes no other";
     if (allowedBy(rules->second, include.target)) return std::nullopt;
-    return "renderer/" + parts[1] + " may not know it";
+    return "renderer/" + parts[1] + " may not include it";
 }
 
 std::optional<std::string> shaderComplaint(const Include& include) {
@@ -114,7 +114,7 @@ std::optional<std::string> shaderComplaint(const Include& include) {
     if (parts[1] != "shared") rules.push_back("lib/");
     if (parts[1] == "techniques") rules.push_back("techniques/" + parts[2] + "/");
     if (allowedBy(rules, include.target)) return std::nullopt;
-    return "shaders/" + parts[1] + " may not know it";
+    return "shaders/" + parts[1] + " may not include it";
 }
 
 /// Why a file may not have this include; nothing if it may.
@@ -132,7 +132,7 @@ std::optional<std::string> complaintAbout(const Include& include) {
     if (include.target.find("..") != std::string::npos) return "paths start at a layer";
     if (startsWith(include.file, "renderer/")) return rendererComplaint(include);
     if (startsWith(include.file, "shaders/")) return shaderComplaint(include);
-    return std::nullopt;  // the application may know everything
+    return std::nullopt;  // the application may include everything
 }
 
 /// The file that a quoted include means, or nothing.
@@ -166,7 +166,7 @@ std::string where(const Include& include) {
     return include.file + ":" + std::to_string(include.line) + " includes " + include.target;
 }
 
-TEST(IncludeArrows, NoFileKnowsMoreThanItsLayerMay) {
+TEST(IncludeArrows, NoFileIncludesMoreThanItsLayerMay) {
     std::size_t seen = 0;
     for (const char* folder : {"renderer", "shaders", "app"}) {
         for (const Include& include : includesOf(folder)) {
@@ -221,7 +221,7 @@ TEST(IncludeArrows, HeadlessWorkReachesNoWindow) {
         EXPECT_FALSE(startsWith(include.target, "GLFW/") || startsWith(include.target, "imgui") ||
                      startsWith(include.target, "panels/") || startsWith(include.target, "interactive"))
             << where(include);
-        // A hidden window is one of the contexts that can be asked for, made in one place.
+        // A hidden window is one of the contexts that can be requested, made in one place.
         EXPECT_TRUE(!startsWith(include.target, "contexts/window_context") || include.file == "app/make_context.cpp")
             << where(include);
     }

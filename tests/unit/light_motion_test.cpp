@@ -1,4 +1,4 @@
-// Which triangles move in the light's own frame: what every technique that keeps time for moving ones alone relies on.
+// Which triangles move in the light's own frame: techniques that store times for dynamic triangles only rely on it.
 #include <gtest/gtest.h>
 
 #include "cases/procedural_scene.h"
@@ -28,8 +28,8 @@ class LightMotionTest : public testing::Test {
     ProceduralScene scene_;
 };
 
-TEST_F(LightMotionTest, TellsStillFromMovingAndDropsWhatIsOutside) {
-    add({0, 0, 0}, {0, 0, 0});       // 0, 1: still
+TEST_F(LightMotionTest, SplitsStaticFromDynamicAndDropsWhatIsOutside) {
+    add({0, 0, 0}, {0, 0, 0});       // 0, 1: static
     add({0, 0, 5}, {0.25, 0, 5});    // 2, 3: moves
     add({40, 0, 0}, {40, 0, 0});     // 4, 5: outside
     add({40, 0, 5}, {50, 0, 5});     // 6, 7: outside throughout
@@ -42,9 +42,9 @@ TEST_F(LightMotionTest, TellsStillFromMovingAndDropsWhatIsOutside) {
     EXPECT_EQ(motion.nonTranslating, 0u);
 }
 
-TEST_F(LightMotionTest, KnowsTheFrameOfAMovingLight) {
+TEST_F(LightMotionTest, UsesTheFrameOfAMovingLight) {
     scene_.lightClose.position = {1.0, 0.0, 10.0};
-    add({0, 0, 0}, {0, 0, 0});  // 0, 1: still in the world, moves in the map
+    add({0, 0, 0}, {0, 0, 0});  // 0, 1: static in the world, dynamic in the map
     add({0, 0, 5}, {1, 0, 5});  // 2, 3: moves with the light, which leaves at most rounding
     const LightMotion motion = classify();
     EXPECT_EQ(motion.staticCasters.size() + motion.dynamicCasters.size(), 4u);
@@ -74,7 +74,7 @@ TEST_F(LightMotionTest, ADirectionalLightHasNoNearPlane) {
     EXPECT_TRUE(motion.nearPlane.empty());
 }
 
-TEST_F(LightMotionTest, CountsWhatBends) {
+TEST_F(LightMotionTest, CountsNonTranslatingTriangles) {
     add({0, 0, 5}, {1, 0, 5});
     MovingQuad turned = slidingQuad({0, 0, 4}, {0, 0, 4}, 0.5, -0.5, 0.5);
     turned.close[0] += glm::dvec3(0.0, 0.2, 0.0);  // of both its triangles

@@ -170,7 +170,7 @@ TEST(HashWord, IsAPermutationThatMixes) {
     std::set<unsigned> seen;
     for (unsigned i = 0; i < 100000; ++i) seen.insert(hashWord(i * 0x9e3779b9u));
     EXPECT_EQ(seen.size(), 100000u) << "two words have one hash";
-    // Avalanche: each input bit turns each output bit over half of the time.
+    // Avalanche: each input bit flips each output bit half of the time.
     constexpr unsigned trials = 4096;
     for (unsigned bit = 0; bit < 32; ++bit) {
         std::array<unsigned, 32> turned{};

@@ -126,9 +126,9 @@ TEST(SceneRecipes, CubesAreThoseOfTheirSeedAndNumber) {
     const std::vector<glm::dvec3> few = positions({{"count", "50"}}), many = positions({{"count", "100"}});
     EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin())) << "more cubes leave the others where they were";
     EXPECT_NE(few, positions({{"count", "50"}, {"seed", "2"}}));
-    const std::unique_ptr<Scene> still = made("cubes", {{"speed", "0"}, {"turn", "0"}});
-    EXPECT_EQ(still->duration(), 0.0);
-    const MotionMesh mesh = frameOf(*still, 3.0, 1.0);
+    const std::unique_ptr<Scene> motionless = made("cubes", {{"speed", "0"}, {"turn", "0"}});
+    EXPECT_EQ(motionless->duration(), 0.0);
+    const MotionMesh mesh = frameOf(*motionless, 3.0, 1.0);
     EXPECT_EQ(mesh.positionsOpen, mesh.positionsClose);
 }
 

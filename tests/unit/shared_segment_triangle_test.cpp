@@ -25,7 +25,7 @@ Bounded edge(const dvec3& d, const dvec3& a, const dvec3& b) {
     return {glm::dot(d, glm::cross(a, b)), 0.5 * std::ldexp(9.0 * sizes, -24) + 1e-30};
 }
 
-/// Whether the header leaves the answer open.
+/// Whether the header's error bound allows either result.
 bool undecided(const SegmentAndTriangle& s) {
     const dvec3 l(s.toLight), v0(s.v[0]), v1(s.v[1]), v2(s.v[2]);
     for (const Bounded& e : {edge(l, v1, v2), edge(l, v2, v0), edge(l, v0, v1)})
@@ -97,7 +97,7 @@ TEST(SharedSegmentTriangle, OrderAndMirroringOfVerticesChangeNothing) {
     }
 }
 
-/// Row 27 and B.13 of the catalogue of hard cases: receivers near a square's diagonal, of one triangle, tested against
+/// Case 27: receivers near a square's diagonal, of one triangle, tested against
 /// the other, with coordinates of ten. A light that grazes needs the plane rule.
 TEST(SharedSegmentTriangle, CoplanarNeighboursDoNotShadow) {
     AwkwardNumbers numbers(4);
@@ -115,9 +115,9 @@ TEST(SharedSegmentTriangle, CoplanarNeighboursDoNotShadow) {
     EXPECT_GT(withoutRule, 100) << "the light does not graze: the test above shows nothing";
 }
 
-TEST(SharedSegmentTriangle, ContactsKeepTheirShadowDownToTheShareOfTheWay) {
+TEST(SharedSegmentTriangle, ContactsCastShadowsDownToTheLeastRelativeDistance) {
     for (const float gap : {1e-1f, 1e-2f, 1e-3f, 2e-4f, 1.1e-4f, 0.9e-4f, 1e-5f, 1e-6f}) {
-        const bool expected = gap > 1e-4f;  // 1e-5 of the way to a light ten away
+        const bool expected = gap > 1e-4f;  // 1e-5 of the distance to a light ten away
         const vec3 l(0.0f, 0.0f, 10.0f);
         EXPECT_EQ(shared::segmentMeetsTriangle(l, {-1.0f, -1.0f, gap}, {1.0f, -1.0f, gap}, {0.1f, 1.0f, gap}, 0.0f),
                   expected)
@@ -126,7 +126,7 @@ TEST(SharedSegmentTriangle, ContactsKeepTheirShadowDownToTheShareOfTheWay) {
 }
 
 /// A segment that is equally far inside of all three edges: equal sides are no sign of a triangle without area.
-TEST(SharedSegmentTriangle, StraightThroughTheMiddle) {
+TEST(SharedSegmentTriangle, ThroughTheCentre) {
     EXPECT_TRUE(shared::segmentMeetsTriangle({64, 64, 64}, {63, 63, 64}, {63, 64, 63}, {64, 63, 63}, 0.0f));
 }
 
@@ -144,7 +144,7 @@ TEST(SharedSegmentTriangle, NothingFromNothing) {
     EXPECT_FALSE(shared::segmentMeetsTriangle({0, 0, 0}, {-1, -1, 5}, {1, -1, 5}, {0, 1, 5}, 0.0f)) << "no segment";
 }
 
-TEST(VertexFromReceiver, StillVerticesStandStill) {
+TEST(VertexFromReceiver, StaticVerticesDoNotMove) {
     AwkwardNumbers numbers(5);
     for (int i = 0; i < 100000; ++i) {
         const vec3 v = numbers.point(), p = numbers.point();

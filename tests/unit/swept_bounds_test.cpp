@@ -1,5 +1,5 @@
 // The bounds of a moving triangle: whatever of it can be seen, at any time, lies inside. Random and adversarial
-// triangles from a fixed seed; the truth is computed in double, point by point.
+// triangles from a fixed seed, against double precision, point by point.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -156,7 +156,7 @@ TEST_F(SweptBoundsTest, WhatIsNearerThanAnythingSeenHasNoBounds) {
     }
 }
 
-TEST_F(SweptBoundsTest, BehindTheEyeIsSaid) {
+TEST_F(SweptBoundsTest, BehindTheEyeIsFlagged) {
     Moving t{{vec3(0.5f, 0.5f, 1.0f), vec3(0.6f, 0.5f, 1.0f), vec3(0.5f, 0.6f, 1.0f)}, {}};
     t.b = t.a;
     EXPECT_EQ(perspective(t, 0.02f).crosses, 0u);
@@ -251,7 +251,7 @@ TEST_F(TurningBounds, HoldEverythingThatIsSeen) {
     EXPECT_LT(worstInFront, 1.0 / 64.0 / 2048.0);
 }
 
-TEST_F(TurningBounds, AreThoseOfAStillCameraWhereItStandsStill) {
+TEST_F(TurningBounds, AreThoseOfAStaticCameraWhereItDoesNotTurn) {
     const glm::mat4 still(1.0f);
     for (int i = 0; i < 5000; ++i) {
         Moving t = triangle(0.5, 4.0);
