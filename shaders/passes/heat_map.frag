@@ -1,4 +1,4 @@
-// One value a pixel as a colour; nothing where it is negative.
+// One value per pixel as a colour; neutral grey where it is negative.
 #include "shared/heat_color.shared.h"
 
 uniform sampler2D values;

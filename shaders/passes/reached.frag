@@ -2,7 +2,7 @@
 // triangle is seen in one of their samples, or may come between one of them and the light. All others are discarded;
 // those that are left let the technique's own lookup through, by the depth test.
 //
-// DYNAMIC_SEEN: a mask says in which pixels dynamic triangles are seen.
+// DYNAMIC_SEEN: a mask marks the pixels in which dynamic triangles are seen.
 #include "lib/blocks.glsl"
 
 #ifdef DYNAMIC_SEEN

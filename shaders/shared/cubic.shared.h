@@ -83,7 +83,7 @@ SHARED_FUNCTION CubicSignChanges signChangesOfCubic(vec4 b) {
                 found.at.z = root;
             found.count += 1u;
         }
-        // A value of exactly 0 says nothing of the sign before or after it: the piece is joined to the next.
+        // A value of exactly 0 does not give the sign before or after it: the piece is joined to the next.
         if (atEnd != SHARED_FLOAT(0.0)) {
             begin = end;
             atBegin = atEnd;

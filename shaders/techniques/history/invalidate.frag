@@ -2,7 +2,7 @@
 // lookup by the depth test. A converged pixel is tested again when its re-test period is over, and is invalidated by a
 // dynamic triangle in it or between it and the light, and by an implausible history.
 //
-// DYNAMIC_CASTERS: there are such. DYNAMIC_SEEN: a texture says in which pixels they are seen.
+// DYNAMIC_CASTERS: there are such. DYNAMIC_SEEN: a texture marks the pixels in which they are seen.
 #include "techniques/history/blocks.glsl"
 #include "techniques/history/texel.glsl"
 

@@ -86,8 +86,8 @@ Trial tryTriangle(VertexMotion t, Receiver r, float u, vec3 toLight, float texel
 // segment to the light. One that it meets proves that the receiver is shadowed, wherever the texel's centre lies. Where
 // none is met, though not all four texels see something nearer than the receiver's plane, an edge of a shadow runs by,
 // and a texel that sees a caster says nothing about this point. If frames follow without motion, whatever is shadowed
-// will be proven so. Else a caster of at least a texel's height is known to end here; a smaller one may continue in a
-// triangle that no texel saw.
+// will be proven so. Else a caster of at least a texel's height is known to end here; behind a smaller one, which may
+// continue in a triangle that no texel saw, the point is taken to be shadowed.
 ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
     ivec2 nearest = ivec2(floor(p.texel)), corner = ivec2(floor(p.texel - 0.5));
     bool inside = insideMap(nearest);

@@ -1,4 +1,4 @@
-// One vertex a prism: which triangle it belongs to. The geometry shader does the rest.
+// One vertex per prism: which triangle it belongs to. The geometry shader does the rest.
 #include "techniques/ranges/prism.glsl"
 
 flat out uint triangleOfPoint;
