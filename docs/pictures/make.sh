@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of the README again. Takes some minutes on a software renderer.
+# Draws the README's pictures. Takes some minutes on a software renderer.
 set -euo pipefail
 
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
@@ -10,7 +10,8 @@ trap 'rm -rf "$work"' EXIT
 # tsm at 8 samples per pixel beside brute force of 1,024 renders
 for scene in chess octopus pillars; do
     "$run" shot "$scene" --technique tsm --spp 8 --size 640x480 -o "$work/$scene-tsm.png"
-    "$run" shot "$scene" --technique accumulation --set accumulation.renders=1024 --size 640x480 -o "$work/$scene-accumulation.png"
+    "$run" shot "$scene" --technique accumulation --set accumulation.renders=1024 --size 640x480 \
+        -o "$work/$scene-accumulation.png"
     convert "$work/$scene-tsm.png" "$work/$scene-accumulation.png" +append -quality 88 "$here/$scene.jpg"
 done
 
