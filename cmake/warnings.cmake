@@ -16,9 +16,10 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/timeshade/paths.h
 target_include_directories(timeshade_options INTERFACE ${PROJECT_SOURCE_DIR}/renderer ${PROJECT_SOURCE_DIR}/shaders
   ${PROJECT_BINARY_DIR}/generated)
 if(TIMESHADE_SANITIZE)
-  # A division of floats by zero and a float too large for an integer are no part of `undefined`, but never meant here.
-  target_compile_options(timeshade_options INTERFACE -fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow
-    -fno-omit-frame-pointer -fno-sanitize-recover=undefined,float-divide-by-zero,float-cast-overflow)
+  # Division of floats by zero and conversion of too large floats to integers are not part of `undefined`.
+  target_compile_options(timeshade_options INTERFACE
+    -fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow -fno-omit-frame-pointer
+    -fno-sanitize-recover=undefined,float-divide-by-zero,float-cast-overflow)
   # GCC 12 with -fsanitize=address sees std::function and std::regex use what they have just set (GCC bug 105562).
   target_compile_options(timeshade_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(timeshade_options INTERFACE -fsanitize=address,undefined)

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
-# What ./run and ./test share: packages, configuration, build. Sourced, with `root` set to the repository's folder.
-# Standard output belongs to the program that runs afterwards: everything here speaks on standard error, and the words
-# of apt, cmake and ninja go to a log that is shown only where a step fails.
+# Shared by ./run and ./test: packages, configuration, build. Sourced, with `root` set to the repository's folder.
+# Standard output is left to the program that runs afterwards: messages go to standard error, and the output of apt,
+# cmake and ninja goes to a log that is shown only if a step fails.
 
 : "${root:?set by the script that sources this one}"
 build_folder=$root/build/release
@@ -16,20 +16,20 @@ fail() {
     exit 1
 }
 
-# fail_with_log MESSAGE: the end of the log, then the message.
+# fail_with_log MESSAGE: prints the end of the log, then the message.
 fail_with_log() {
     tail -n 60 "$log" >&2
     fail "$1; whole log: $log"
 }
 
-# One step at a time, also where two terminals start together.
+# Serialises set-ups that are started at the same time.
 lock_setup() {
     mkdir -p "$root/build"
     exec {setup_lock}>"$root/build/setup.lock"
     flock "$setup_lock"
 }
 
-# The program that follows may run for hours and must not hold the lock.
+# Called before the program starts, which may run for hours.
 unlock_setup() {
     exec {setup_lock}>&-
 }
@@ -38,7 +38,7 @@ listed_packages() {
     sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$root/scripts/packages.txt"
 }
 
-# Asked anew each time, which takes 20 ms: a stamp would lie where the build folder outlives the machine.
+# Checked on each run, which takes 20 ms: a stamp file would be wrong if the build folder is moved to another machine.
 missing_packages() {
     local packages
     mapfile -t packages < <(listed_packages)
@@ -67,7 +67,7 @@ install_packages() {
     as_root+=(env DEBIAN_FRONTEND=noninteractive)
     local apt=(apt-get -qq -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300)
     say "installing ${#missing[@]} Debian packages of scripts/packages.txt"
-    # One broken source among many does not matter if the packages can be had from the others.
+    # Ignored: one broken package source does not matter if the others have the packages.
     "${as_root[@]}" "${apt[@]}" update >"$log" 2>&1 || true
     "${as_root[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >>"$log" 2>&1 ||
         fail_with_log "apt-get cannot install ${missing[*]}"
@@ -75,7 +75,7 @@ install_packages() {
 
 configure() {
     local cache=$build_folder/CMakeCache.txt
-    # A copied or moved checkout brings a cache that speaks of another folder, and cmake refuses it.
+    # A copied or moved checkout has a cache for another folder, which cmake refuses.
     if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
         rm -rf "$build_folder"
     fi
@@ -86,7 +86,7 @@ configure() {
     (cd "$root" && cmake --preset release) >"$log" 2>&1 || fail_with_log "cmake --preset release failed"
 }
 
-# Copies ninja's words to the log and turns them into one moving line, or into one line where nobody watches.
+# Copies ninja's output to the log and shows it as one line that is updated, or as one line without a terminal.
 show_progress() {
     local line progress=""
     while IFS= read -r line; do

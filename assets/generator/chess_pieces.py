@@ -93,50 +93,58 @@ def rook():
     return drop_unused(mesh)
 
 
-def cut_mitre(centre, low, high, widest, radius):
-    """The bishop's head: an egg with the oblique slit that makes it a mitre.
+def egg_radius(y, low, high, widest, radius):
+    """The radius at height y of an egg from low to high, which is widest at that share of its height."""
+    t = (y - low) / (high - low)
+    if t <= 0.0 or t >= 1.0:
+        return 0.0
+    # A power of the height moves the widest place below the centre.
+    power = math.log(0.5) / math.log(widest)
+    return radius * math.sin(math.pi * t ** power) ** 0.62
 
-    The egg is sliced across the slit's own direction, so that the slit is a plain step between slices.
-    """
-    height = high - low
 
-    def egg_radius(y):
-        t = (y - low) / height
-        if t <= 0.0 or t >= 1.0:
-            return 0.0
-        # A power of the height moves the widest place below the middle.
-        power = math.log(0.5) / math.log(widest)
-        return radius * math.sin(math.pi * t ** power) ** 0.62
+def distance_inside(inside, start, direction, limit):
+    """How far from start along a direction points are inside, by bisection."""
+    near, far = 0.0, limit
+    for _ in range(40):
+        half = (near + far) / 2.0
+        if inside(add(start, scale(direction, half))):
+            near = half
+        else:
+            far = half
+    return near
 
-    across = normalize((-0.62, 0.78, 0.0))
-    along, side = normalize((0.78, 0.62, 0.0)), (0.0, 0.0, 1.0)
-    middle = (0.0, centre, 0.0)
 
-    def inside(p):
-        return math.hypot(p[0], p[2]) < egg_radius(p[1])
-
-    def reach(start, direction):
-        near, far = 0.0, 2.0 * height
-        for _ in range(40):
-            half = (near + far) / 2.0
-            if inside(add(start, scale(direction, half))):
-                near = half
-            else:
-                far = half
-        return near
-
-    top, bottom = reach(middle, across), reach(middle, scale(across, -1.0))
-    half_slit, floor, place = 0.019, 0.03, 0.05
+def slit_levels(bottom, top):
+    """Offsets of the slices from -bottom to top, and whether the slit cuts them: a step at each of its sides."""
+    half_slit, place = 0.019, 0.05
     shares = [0.5 - 0.5 * math.cos(math.pi * i / 10) for i in range(11)]
     offsets = [-bottom + (top + bottom) * s for s in shares[1:-1]]
     offsets = [o for o in offsets if abs(o - place) > half_slit + 0.012]
     levels = [(o, False) for o in offsets if o < place]
     levels += [(place - half_slit, False), (place - half_slit, True), (place + half_slit, True),
                (place + half_slit, False)]
-    levels += [(o, False) for o in offsets if o > place]
+    return levels + [(o, False) for o in offsets if o > place]
 
+
+def cut_mitre(centre, low, high, widest, radius):
+    """The bishop's head: an egg with the oblique slit that makes it a mitre.
+
+    The egg is sliced across the slit's own direction, so that the slit is a plain step between slices.
+    """
+    across = normalize((-0.62, 0.78, 0.0))
+    along, side = normalize((0.78, 0.62, 0.0)), (0.0, 0.0, 1.0)
+    middle = (0.0, centre, 0.0)
+    floor, count = 0.03, 18
+
+    def reach(start, direction):
+        def inside(p):
+            return math.hypot(p[0], p[2]) < egg_radius(p[1], low, high, widest, radius)
+        return distance_inside(inside, start, direction, 2.0 * (high - low))
+
+    top, bottom = reach(middle, across), reach(middle, scale(across, -1.0))
+    levels = slit_levels(bottom, top)
     mesh = Mesh()
-    count = 18
     rings = []
     for level, (offset, cut) in enumerate(levels):
         # The slice's own centre: half-way between the egg's two sides along the slit.
