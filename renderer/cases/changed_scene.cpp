@@ -7,8 +7,8 @@ namespace timeshade {
 
 ChangedScene::ChangedScene(std::shared_ptr<const Scene> scene, WorldChange world, MeshChange mesh)
     : scene_(std::move(scene)), world_(world), meshChange_(std::move(mesh)) {
-    // The box of the moved box would grow under a rotation, and with it what is fitted to it: the centre and the
-    // diagonal, which are what is used, are kept.
+    // The bounds of the rotated box would be larger, and so would views fitted to them. Only the centre and the
+    // diagonal of bounds are used, so those are preserved.
     const Bounds& given = scene_->bounds();
     const glm::dvec3 half = 0.5 * world_.scale * (given.high - given.low), centre = moved(given.centre());
     bounds_.add(centre - half);
@@ -62,7 +62,7 @@ MotionMesh withCornersTurned(MotionMesh mesh) {
 
 namespace {
 
-/// t turned so that its first corner is the one that s does not have; nothing if they do not share just two.
+/// t with its corners rotated so that the first is the one that s does not have; nothing unless they share exactly two.
 std::optional<glm::u32vec3> turnedAwayFrom(const glm::u32vec3& s, glm::u32vec3 t) {
     const auto has = [&s](std::uint32_t v) { return v == s.x || v == s.y || v == s.z; };
     for (int i = 0; i < 3; ++i, t = {t.y, t.z, t.x})
@@ -83,7 +83,7 @@ MotionMesh withDiagonalsTurned(MotionMesh mesh) {
     for (std::size_t i = 0; i + 1 < triangles.size(); ++i) {
         const auto first = turnedAwayFrom(triangles[i + 1], triangles[i]),
                    second = turnedAwayFrom(triangles[i], triangles[i + 1]);
-        // The same side up: their common edge goes one way in one and the other way in the other.
+        // The same orientation: the common edge has opposite directions in the two triangles.
         if (!first || !second || first->y != second->z || first->z != second->y) continue;
         const glm::u32vec4 around(first->x, first->y, second->x, first->z);
         if (!isParallelogram(mesh.positionsOpen, around) || !isParallelogram(mesh.positionsClose, around)) continue;

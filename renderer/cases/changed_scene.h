@@ -7,21 +7,21 @@
 
 namespace timeshade {
 
-/// What is done to a scene's world: a point p becomes offset + scale * rotation * p, camera and light with it.
+/// A similarity transform of a scene's world, camera and light included: p becomes offset + scale * rotation * p.
 struct WorldChange {
-    double scale = 1.0;        ///< > 0; near distances follow
-    glm::dmat3 rotation{1.0};  ///< orthonormal, no mirror
+    double scale = 1.0;        ///< > 0; also applied to near distances
+    glm::dmat3 rotation{1.0};  ///< orthonormal, not mirroring
     glm::dvec3 offset{0.0};
 };
 
-/// A scene moved, scaled and turned as a whole, played backwards, or with its mesh replaced: what must leave every
-/// picture as it was, or change it in a known way. Made for checks that need no exact answer.
+/// A scene that is translated, scaled and rotated as a whole, played backwards, or has its mesh replaced. For
+/// metamorphic tests: these changes must leave every picture unchanged or change it in a known way.
 class ChangedScene final : public Scene {
   public:
     using MeshChange = std::function<MotionMesh(MotionMesh)>;
 
     explicit ChangedScene(std::shared_ptr<const Scene> scene, WorldChange world = {}, MeshChange mesh = {});
-    /// Plays the time from `openSeconds` to `closeSeconds` backwards.
+    /// Plays the interval from `openSeconds` to `closeSeconds` backwards.
     void reverse(double openSeconds, double closeSeconds);
 
     const std::string& name() const override { return scene_->name(); }
@@ -44,20 +44,19 @@ class ChangedScene final : public Scene {
     WorldChange world_;
     MeshChange meshChange_;
     bool reversed_ = false;
-    double mirror_ = 0.0;  ///< seconds; s is played at mirror - s
+    double mirror_ = 0.0;  ///< seconds; time s shows the scene at mirror - s
     Bounds bounds_;
 };
 
 // Changes of a mesh that leave its surface as it is.
 
-/// Each triangle begins with its second corner.
+/// Rotates the order of corners: each triangle begins with its second corner.
 MotionMesh withCornersTurned(MotionMesh mesh);
-/// Each triangle becomes four, cut at the middles of its edges.
+/// Splits each triangle into four at the midpoints of its edges.
 MotionMesh subdivided(MotionMesh mesh);
-/// Two triangles in a row that make up a parallelogram, at both ends and so all the time, are cut along its other
-/// diagonal.
+/// Replaces the diagonal of two consecutive triangles that form a parallelogram at both ends of the shutter.
 MotionMesh withDiagonalsTurned(MotionMesh mesh);
-/// A quad more, of the first material, which does not move. Corners counter-clockwise.
+/// Adds a static quad of the first material. Corners counter-clockwise.
 MotionMesh withQuad(MotionMesh mesh, const glm::dvec3 (&corners)[4]);
 
 }  // namespace timeshade

@@ -51,14 +51,14 @@ MovingCorners inPlane(double z, const glm::dvec2 (&open)[3], const glm::dvec2 (&
     return t;
 }
 
-/// Share of the shutter during which the product of two vectors that move linearly is positive.
+/// Share of the shutter during which the dot product of two vectors that change linearly is positive.
 double facingShare(glm::vec3 normalOpen, glm::vec3 normalClose, glm::vec3 lightOpen, glm::vec3 lightClose) {
     const glm::vec3 b = shared::facingCoefficients(normalOpen, normalClose, lightOpen, lightClose);
     const glm::vec4 lit = shared::positiveIntervals(b.x, b.y, b.z);
     return static_cast<double>(lit.y - lit.x + lit.w - lit.z);
 }
 
-void addSlidingThings(Catalogue& all) {
+void addSlidingQuads(Catalogue& all) {
     SetUpC()
         .slidingQuad(-1.25, 1.25)
         .finish(all.add(1, "quad_sweeps_point", 0.6, 2, "c = -1.25 + 2.5u; dark [.3, .7]",
@@ -70,25 +70,28 @@ void addSlidingThings(Catalogue& all) {
     SetUpC()
         .slidingQuad(0.0, 0.0)
         .light({-4.0, 0.0, 10.0}, {4.0, 0.0, 10.0})
-        .finish(all.add(3, "light_slides", 0.75, 2, "Q(0) still, light x -4 to 4; dark [.375, .625]",
+        .finish(all.add(3, "light_slides", 0.75, 2, "Q(0) static, light x -4 to 4; dark [.375, .625]",
                         "one light matrix for the whole shutter"));
     SetUpC()
         .slidingQuad(0.0, 0.0)
         .receiver({-4.0, 0.0, 0.0}, {4.0, 0.0, 0.0})
-        .finish(all.add(4, "receiver_slides", 0.75, 2, "Q(0) still, receiver x -4 to 4; dark [.375, .625]",
+        .finish(all.add(4, "receiver_slides", 0.75, 2, "Q(0) static, receiver x -4 to 4; dark [.375, .625]",
                         "few samples along a moving receiver"));
     SetUpC()
         .slidingQuad(0.0, 0.0)
         .light({-2.0, 0.0, 10.0}, {2.0, 0.0, 10.0})
         .receiver({-2.0, 0.0, 0.0}, {2.0, 0.0, 0.0})
         .finish(all.add(5, "light_and_receiver_slide", 0.75, 2, "light and receiver x -2 to 2; dark [.375, .625]",
-                        "motions that cancel: still in the map, moving in the world"));
+                        "motions that cancel: static in the map, moving in the world"));
     SetUpC()
         .slidingQuad(0.0, 3.0)
         .light({0.0, 0.0, 10.0}, {3.0, 0.0, 10.0})
         .receiver({0.0, 0.0, 0.0}, {3.0, 0.0, 0.0})
         .finish(all.add(6, "all_comoving", 0.0, 0, "quad, light and receiver + (3, 0, 0)",
                         "cancellation: must be exactly dark"));
+}
+
+void addMotionAlongTheLight(Catalogue& all) {
     SetUpC()
         .risingQuad(9.0, 1.0)
         .receiver({0.0, 0.0, 4.0}, {0.0, 0.0, 4.0})
@@ -111,6 +114,9 @@ void addSlidingThings(Catalogue& all) {
         .receiverIsCaster()
         .finish(
             all.add(9, "approaching_self", 1.0, 0, "receiver on Q, z 1 to 9", "TSM's self-shadow: 1/2 (1 - bN/v)^2"));
+}
+
+void addSeveralIntervals(Catalogue& all) {
     SetUpC().slidingQuad(-1.0, 4.0).slidingQuad(-3.5, 1.5).finish(
         all.add(10, "two_disjoint", 0.6, 4, "c = -1 + 5u and -3.5 + 5u; dark [.1, .3] and [.6, .8]",
                 "products of layers: .64"));
@@ -128,7 +134,7 @@ void addSlidingThings(Catalogue& all) {
                         "shadow averaged apart from what is seen: .6"));
 }
 
-void addTrianglesThatTurn(Catalogue& all) {
+void addTurningTriangles(Catalogue& all) {
     // The segment from (x, y, 0) to the light passes z = 5 at (x, y) / 2.
     SetUpC()
         .triangle(inPlane(5.0, {{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}, {{-1.0, 1.5}, {1.0, 1.5}, {0.0, -2.0}}))
@@ -155,16 +161,16 @@ void addTrianglesThatTurn(Catalogue& all) {
         .receiver({1.4, -1.4, 0.0}, {1.4, -1.4, 0.0})
         .point(1e-3)
         .finish(all.add(16, "vertex_path", 6.0 / 19.0, 1, "a vertex passes over the segment; dark [6/19, 1]",
-                        "ties: an odd count of crossings"));
+                        "ties: an unpaired crossing"));
 }
 
-void addThinAndFar(Catalogue& all) {
+void addThinAndFarCasters(Catalogue& all) {
     ClosedFormCase& wire =
         all.add(17, "thin_wire_fast", 0.9995, 2, "width .001, c = -1 + 2u", "TSM below 2000 strata sees it by chance");
     wire.fleeting = true;
     SetUpC().slidingQuad(-1.0, 1.0, 5.0, 0.0005).finish(wire);
-    ClosedFormCase& speck = all.add(18, "subtexel_static", 0.0, 0, "a still triangle of size .001 over the receiver",
-                                    "maps that look at texel centres: 1");
+    ClosedFormCase& speck = all.add(18, "subtexel_static", 0.0, 0, "a static triangle of size .001 over the receiver",
+                                    "maps sampled at texel centres: 1");
     speck.fleeting = true;
     const glm::dvec2 m(0.0113, 0.0071),
         corners[3] = {m + glm::dvec2(-5e-4, -5e-4), m + glm::dvec2(5e-4, -5e-4), m + glm::dvec2(0.0, 5e-4)};
@@ -182,19 +188,19 @@ void addThinAndFar(Catalogue& all) {
         .light({0.0, 0.0, 10.0}, {0.0, 0.0, 20.0})
         .receiver({2.0, 0.0, 0.0}, {2.0, 0.0, 0.0})
         .finish(all.add(20, "light_recedes", 2.0 / 3.0, 1,
-                        "light z 10 to 20, x in [.5, 1.25] still, receiver x 2; dark [0, 1/3]",
-                        "a linear path in the light's space: .5"));
+                        "light z 10 to 20, x in [.5, 1.25] static, receiver x 2; dark [0, 1/3]",
+                        "a linear path in light space: .5"));
     SetUpC()
         .risingQuad(8.0, -10.0)
         .receiver({0.0, 0.0, -1.0}, {0.0, 0.0, -1.0})
         .point(1e-4)
         .cameraHeight(2e-4)
         .finish(all.add(21, "ndc_range_lerp", 0.5, 1, "quad at distance 2 to 20, receiver at 11",
-                        "depth interpolated after the division: .0909"));
+                        "interpolated NDC depth: .0909"));
 }
 
-void addNumericOnes(Catalogue& all) {
-    all.numeric(22, "turning_receiver", 0.5, "normal (0, 0, 1) to (0, 0, -1), light still, no caster",
+void addNumericCases(Catalogue& all) {
+    all.numeric(22, "turning_receiver", 0.5, "normal (0, 0, 1) to (0, 0, -1), static light, no caster",
                 "normalising the normal that vanishes half-way", [] {
                     return facingShare({0, 0, 1}, {0, 0, -1}, {0, 0, 10}, {0, 0, 10});
                 });
@@ -208,7 +214,7 @@ void addNumericOnes(Catalogue& all) {
     });
 }
 
-void addCrowds(Catalogue& all) {
+void addManyCasters(Catalogue& all) {
     ClosedFormCase& comb =
         all.add(25, "many_slivers", 0.5, 2000, "1000 quads; dark [i/1000, i/1000 + .0005]", "lists that overflow");
     comb.fleeting = true;
@@ -238,12 +244,15 @@ void addCrowds(Catalogue& all) {
         .quad(face(low + y, -y, z));
     cube.quad(face(low + z, x, y)).receiver({0.0, 0.0, 0.5}, {1.0, 0.0, 0.5}).point(0.2).receiverIsCaster();
     cube.finish(all.add(27, "cube_top", 1.0, 0, "unit cube + (1, 0, 0), receiver on the top's diagonal",
-                        "leaving out only the receiver's own triangle: 24.7 % false near the diagonal"));
+                        "excluding only the receiver's own triangle: 24.7 % false near the diagonal"));
+}
+
+void addContactAndLimits(Catalogue& all) {
     SetUpC()
         .slidingQuad(0.0, 0.0, 1e-3)
         .point(1e-4)
         .cameraHeight(5e-4)
-        .finish(all.add(28, "contact", 0.0, 0, "a still quad .001 above the receiver", "any bias above the gap"));
+        .finish(all.add(28, "contact", 0.0, 0, "a static quad .001 above the receiver", "any bias above the gap"));
     SetUpC().slidingQuad(0.0, 0.0).finish(
         all.add(29, "static_all", 0.0, 0, "nothing moves", "motion vectors of length 0, first = last"));
     SetUpC()
@@ -268,18 +277,21 @@ void addCrowds(Catalogue& all) {
     SetUpC().slidingQuad(-1.5, 2.5).finish(all.add(34, "bucket_border", 0.75, 2, "c = -1.5 + 4u; dark [.25, .5]",
                                                    "rounding at the borders of time buckets"));
     all.add(35, "history_nan", 1.0, 0,
-            "a NaN in the history, a cut of the camera: the next frame must be what it would be without a past",
+            "a NaN in the history, a camera cut: the next frame must equal a frame without history",
             "reuse of earlier frames")
         .kind = ClosedFormCase::Kind::Sequence;
 }
 
 std::vector<ClosedFormCase> makeCases() {
     Catalogue all;
-    addSlidingThings(all);
-    addTrianglesThatTurn(all);
-    addThinAndFar(all);
-    addNumericOnes(all);
-    addCrowds(all);
+    addSlidingQuads(all);
+    addMotionAlongTheLight(all);
+    addSeveralIntervals(all);
+    addTurningTriangles(all);
+    addThinAndFarCasters(all);
+    addNumericCases(all);
+    addManyCasters(all);
+    addContactAndLimits(all);
     return all.take();
 }
 

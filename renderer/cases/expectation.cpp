@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/check.h"
 #include "plan/frame_plan.h"
 
 namespace timeshade {
@@ -13,13 +14,13 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double nearestCaster = 1e-5;  // design section 1
+constexpr double nearestCaster = 1e-5;  // docs/numerics.md, "Definition of shadow"
 
 struct Corners {
     dvec3 open[3], close[3];
 };
 
-/// The case's world, relative to the plan's origin.
+/// The case's scene in double precision, relative to the plan's origin.
 class World {
   public:
     World(const ClosedFormCase& c, int samplesPerPixel, int mapSize) : mapSize_(mapSize) {
@@ -40,9 +41,9 @@ class World {
     dvec3 origin() const { return plan_.origin; }
     dvec3 light(double u) const { return glm::mix(plan_.light.open.eye, plan_.light.close.eye, u); }
 
-    /// A point of the map in [0, 1]^2 and its distance along the light's axis.
+    /// Map coordinates in [0, 1]^2 and the depth along the light's axis.
     dvec3 project(const dvec3& point, double u) const {
-        const ViewEnd& end = plan_.light.open;  // the axes do not turn
+        const ViewEnd& end = plan_.light.open;  // the axes are constant
         const dvec3 axis = glm::normalize(glm::cross(end.up, end.right));
         const dvec3 v = point - light(u);
         const double z = glm::dot(v, axis);
@@ -50,7 +51,7 @@ class World {
         return {glm::dot(w, end.right) / glm::dot(end.right, end.right), glm::dot(w, end.up) / glm::dot(end.up, end.up),
                 z};
     }
-    /// From the light through a point of the map, one unit along the axis.
+    /// The ray from the light through a point of the map; its depth along the axis is 1.
     dvec3 ray(const dvec2& map) const {
         return plan_.light.open.corner + plan_.light.open.right * map.x + plan_.light.open.up * map.y;
     }
@@ -61,7 +62,7 @@ class World {
     }
     double texel() const { return 1.0 / mapSize_; }
 
-    /// Where from + s * direction meets a triangle at time u, if it does.
+    /// The s at which from + s * direction intersects a triangle at time u, if it does.
     std::optional<double> meeting(std::size_t triangle, double u, const dvec3& from, const dvec3& direction) const {
         const Corners& t = triangles_[triangle];
         dvec3 v[3];
@@ -72,7 +73,7 @@ class World {
         return glm::dot(v[0], glm::cross(v[1], v[2])) / sum;
     }
 
-    /// Where from + s * direction meets the plane of a triangle at time u.
+    /// The s at which from + s * direction intersects the plane of a triangle at time u.
     double planeDistance(std::size_t triangle, double u, const dvec3& from, const dvec3& direction) const {
         const Corners& t = triangles_[triangle];
         const dvec3 v0 = glm::mix(t.open[0], t.close[0], u), v1 = glm::mix(t.open[1], t.close[1], u),
@@ -87,12 +88,12 @@ class World {
     std::vector<Corners> triangles_;
 };
 
-/// Walks over places of the patch, times of the receiver and times of the casters.
+/// Integrates numerically over positions on the receiver, times of the receiver and times of the casters.
 class Model {
   public:
     Model(const ClosedFormCase& c, const SamplingTraits& traits, int strata, int mapSize)
         : case_(c), traits_(traits), strata_(strata), world_(c, strata, mapSize), biasTexels_(traits.biasTexels) {
-        // Few steps where there are very many triangles, so that no case takes long.
+        // Fewer steps for scenes of many triangles, to bound the run time.
         const bool crowd = world_.triangles() > 100;
         places_ = crowd ? 4 : 6;
         steps_ = crowd ? 12 : 48;
@@ -132,14 +133,14 @@ class Model {
         return traits_.times == SamplingTraits::Times::EvenInstants ? traits_.instants : strata_ * steps_;
     }
 
-    /// How much of the patch a texel's border may put on the wrong side of the places that stand for it.
+    /// The share of the receiver whose texel may differ from that of the position that represents it.
     double borderShare() const {
         return traits_.times == SamplingTraits::Times::OneInstant && case_.patchHeight > 0.1 ? 0.5 / places_ : 0.02;
     }
 
     dvec3 receiver(const dvec2& place, double u) const {
-        const dvec3 middle = glm::mix(case_.receiverOpen, case_.receiverClose, u) - world_.origin();
-        return middle + dvec3(place.x * case_.patchWidth, place.y * case_.patchHeight, 0.0);
+        const dvec3 centre = glm::mix(case_.receiverOpen, case_.receiverClose, u) - world_.origin();
+        return centre + dvec3(place.x * case_.patchWidth, place.y * case_.patchHeight, 0.0);
     }
 
     void addPlace(const dvec2& place, Expectation& e, double& ambiguous) {
@@ -163,7 +164,7 @@ class Model {
         return double(lit) / steps_;
     }
 
-    /// The receiver at u, casters as they are at v.
+    /// Visibility of the receiver at time u from casters at time v.
     bool isLit(const dvec2& place, double u, double v) const {
         const dvec3 point = receiver(place, u);
         if (!traits_.texelCentres) return isFree(point, v);
@@ -181,7 +182,7 @@ class Model {
     }
 
     bool isFreeInMap(const dvec2& map, double depth, double u, double v) const {
-        // Equal depths are no shadow, whatever double precision makes of them.
+        // Equal depths cast no shadow; the relative slack absorbs rounding.
         const double limit = depth - biasTexels_ * world_.texelWidth(depth) - 1e-9 * depth;
         const dvec3 from = world_.light(v), ray = world_.ray(map);
         for (std::size_t t = 0; t < world_.triangles(); ++t) {
@@ -193,7 +194,7 @@ class Model {
         return true;
     }
 
-    /// First and last time, and distances then, of each triangle over the texel of a receiver that stands still.
+    /// The first and last time at which each triangle covers the texel of a static receiver, and its depths then.
     void findRanges(const dvec2& place) {
         ranges_.assign(world_.triangles(), {});
         const int steps = 4 * strata_ * steps_;
@@ -221,15 +222,15 @@ class Model {
         return glm::mix(range.firstDistance, range.lastDistance, length > 0.0 ? (u - range.first) / length : 0.0);
     }
 
-    /// Would the answer at u be another if the texel lay up to half a texel elsewhere?
+    /// Whether visibility at u changes if the texel is shifted by up to half its width.
     bool isAmbiguous(const dvec2& place, double u) const {
         const double at = traits_.times == SamplingTraits::Times::OneInstant ? 0.5 : u;
         const dvec3 p = world_.project(receiver(place, at), at);
-        int lit = 0, looked = 0;
+        int lit = 0, tested = 0;
         for (int i = -1; i <= 1; ++i)
-            for (int j = -1; j <= 1; ++j, ++looked)
+            for (int j = -1; j <= 1; ++j, ++tested)
                 lit += isFreeInMap(dvec2(p) + dvec2(i, j) * (0.5 * world_.texel()), p.z, at, at) ? 1 : 0;
-        return lit != 0 && lit != looked;
+        return lit != 0 && lit != tested;
     }
 
     struct Range {
@@ -251,12 +252,13 @@ class Model {
 }  // namespace
 
 Expectation expectationOf(const ClosedFormCase& c, const SamplingTraits& traits, int samplesPerPixel, int mapSize) {
+    CHECK(c.kind == ClosedFormCase::Kind::Picture);
     return Model(c, traits, samplesPerPixel, mapSize).result();
 }
 
 double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits, int mapSize) {
     if (!traits.texelCentres) return double(c.width) * c.height;
-    // The receiver is farthest, and its texels are widest, at one of the ends.
+    // The receiver's distance, and so the width of its texels, is greatest at one of the ends.
     const LightPose open = c.scene->light(0.0), close = c.scene->light(1.0);
     const double farthest = std::max(open.position.z - c.receiverOpen.z, close.position.z - c.receiverClose.z);
     return std::max(1.0, c.patchHeight / (farthest * 2.0 * std::tan(open.outerConeAngle) / mapSize));

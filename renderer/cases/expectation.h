@@ -7,21 +7,21 @@
 
 namespace timeshade {
 
-/// What a technique with the given traits answers in the mean, from the traits alone, in double precision.
+/// The mean visibility that a technique with the given traits computes, predicted from the traits in double precision.
 struct Expectation {
     double litShare = 0.0;
-    std::vector<double> litOfStratum;  ///< the same for each stratum of the shutter
-    /// By how much the map's resolution alone may move the share: half of the time during which half a texel to some
-    /// side decides. 0 where casters are thinner than a texel, and for techniques without texels.
+    std::vector<double> litOfStratum;  ///< the same, per stratum of the shutter
+    /// How much the map's resolution alone may change litShare: half of the time during which a shift of the texel by
+    /// half its width changes the result. 0 if casters are thinner than a texel, and for techniques without texels.
     double resolution = 0.0;
-    double integration = 0.0;  ///< how far litShare may be from the mean that it stands for
+    double integration = 0.0;  ///< error bound of the numerical integration in litShare
 };
 
-/// Needs a case with a picture.
+/// `c` must be of kind Picture.
 Expectation expectationOf(const ClosedFormCase& c, const SamplingTraits& traits, int samplesPerPixel, int mapSize);
 
-/// How many independent answers one stratum of one picture holds: texels of the map that the picture's column covers,
-/// or, where a technique has no texels, camera samples.
+/// The number of independent samples of visibility in one stratum of one picture: texels of the map that the picture's
+/// column covers or, for techniques without texels, camera samples.
 double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits, int mapSize);
 
 }  // namespace timeshade

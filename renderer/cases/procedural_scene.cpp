@@ -74,7 +74,7 @@ MotionMesh ProceduralScene::motionMesh(double openSeconds, double closeSeconds) 
     MotionMesh mesh;
     mesh.topology = topology_;
     const auto add = [&](const glm::dvec3* open, const glm::dvec3* close, int corners) {
-        // Shading alone wants normals; what has no area gets one that is as good as any.
+        // Normals are used by shading only; a triangle without area gets an arbitrary one.
         const auto normal = [](const glm::dvec3* c) {
             const glm::dvec3 n = glm::cross(c[1] - c[0], c[2] - c[0]);
             return glm::length(n) > 0.0 ? glm::vec3(glm::normalize(n)) : glm::vec3(0.0f, 0.0f, 1.0f);

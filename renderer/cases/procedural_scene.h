@@ -10,7 +10,7 @@
 
 namespace timeshade {
 
-/// A rectangle or any quadrilateral in world space, at both ends of the shutter. Corners go around.
+/// A quadrilateral in world space, at both ends of the shutter. Corners in order around it.
 struct MovingQuad {
     glm::dvec3 open[4];
     glm::dvec3 close[4];
@@ -25,18 +25,18 @@ struct MovingCorners {
 /// The rectangle [centre.x - halfX, centre.x + halfX] x [lowY, highY] at height centre.z, moving from a to b.
 MovingQuad slidingQuad(glm::dvec3 a, glm::dvec3 b, double halfX, double lowY, double highY);
 
-/// A scene made of quads and triangles with known motion, for exact answers. One second of its time is one shutter: ask
-/// for it with frames per second 1, shutter 1, frame 0, which are its defaults. Quads come first: quad i is the
-/// triangles 2i and 2i + 1.
+/// A scene of quads and triangles with known motion, for cases with exact answers. Its time from 0 s to 1 s is one
+/// shutter: frames per second 1, shutter length 1, frame 0 (its defaults). Quads come first: quad i is the triangles 2i
+/// and 2i + 1.
 class ProceduralScene final : public Scene {
   public:
     std::vector<MovingQuad> quads;
     std::vector<MovingCorners> triangles;
     CameraPose cameraOpen, cameraClose;
-    std::optional<CameraPose> overview;  ///< a second camera, which stands still
+    std::optional<CameraPose> overview;  ///< a second camera, static
     LightPose lightOpen, lightClose;
 
-    /// Call when the members above are set. Named after what it shows.
+    /// Must be called once, after the members above are set.
     void finish(std::string name = "procedural");
     /// The request that opens the shutter at u = 0 and closes it at u = 1.
     static FrameRequest request(int width, int height, int samplesPerPixel, int mapSize, std::uint32_t seed);

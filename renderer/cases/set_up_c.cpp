@@ -6,7 +6,7 @@ namespace timeshade {
 
 namespace {
 
-constexpr double outerCone = 0.62;  // radians; covers every receiver of the catalogue
+constexpr double outerCone = 0.62;  // radians; contains every receiver of the catalogue
 constexpr int columnWidth = 1, columnHeight = 192, pointSide = 8;
 
 void move(glm::dvec3 (&corners)[4], const glm::dvec3& by) {
@@ -84,7 +84,7 @@ SetUpC& SetUpC::offset(const glm::dvec3& by) {
 
 LightPose SetUpC::lightAt(const glm::dvec3& position) const {
     LightPose light;
-    light.position = position + offset_;  // axes: identity, so that it shines along -z
+    light.position = position + offset_;  // with identity axes it points along -z
     light.outerConeAngle = outerCone;
     light.innerConeAngle = 0.9 * outerCone;
     light.intensity = glm::dvec3(100.0);

@@ -4,34 +4,35 @@
 
 namespace timeshade {
 
-/// Makes the scenes of the catalogue: set-up C and what departs from it. Casters are added first, then `finish`.
+/// Builds the scenes of the catalogue: set-up C (ClosedFormCase) with changes. Add casters first, then call `finish`.
 class SetUpC {
   public:
     SetUpC();
 
     SetUpC& quad(const MovingQuad& caster);
     SetUpC& triangle(const MovingCorners& caster);
-    /// The quad Q(c) at height z, its centre going from c0 to c1.
+    /// The quad Q(c) at height z; its centre moves from x = c0 to c1.
     SetUpC& slidingQuad(double c0, double c1, double z = 5.0, double halfX = 0.5);
-    /// The quad Q(0) going from z0 to z1.
+    /// The quad Q(0) moving from z0 to z1.
     SetUpC& risingQuad(double z0, double z1);
     SetUpC& light(const glm::dvec3& open, const glm::dvec3& close);
-    /// Where the receiver's middle is at both ends.
+    /// The receiver's centre at both ends.
     SetUpC& receiver(const glm::dvec3& open, const glm::dvec3& close);
-    /// How far above the receiver the camera is. Nothing may come between.
+    /// The camera's height above the receiver. Nothing may come between them.
     SetUpC& cameraHeight(double height);
-    /// A point: the picture sees so small a square around it. Otherwise it sees a column, narrow in x, so that
-    /// all pixels have the same answer, and tall in y, along which nothing depends, so that they see many map texels.
+    /// The picture shows a square of this size around the receiver's centre. Without it, the picture shows a column
+    /// that is narrow in x, so that all pixels have the same visibility, and tall in y, on which visibility does not
+    /// depend, so that it covers many map texels.
     SetUpC& point(double size);
     SetUpC& column(double height);
-    /// No receiver is added: the last quad is it.
+    /// Adds no receiver; the last quad is the receiver.
     SetUpC& receiverIsCaster();
-    /// The receiver's half width in x, and how far the camera moves past it during the shutter.
+    /// The receiver's half width in x, and the camera's displacement past it during the shutter.
     SetUpC& narrowReceiver(double halfX, double cameraTravel);
-    /// Everything, the light included, this far away.
+    /// Translates everything, the light included.
     SetUpC& offset(const glm::dvec3& by);
 
-    /// Completes the case's scene and what the case says of its picture.
+    /// Completes the case's scene and its description of the picture.
     void finish(ClosedFormCase& c);
 
   private:

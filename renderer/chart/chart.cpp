@@ -18,7 +18,7 @@ constexpr Rgb axisLine = {120, 126, 136};
 constexpr Rgb slopeLine = {150, 156, 166};
 constexpr Rgb paretoLine = {255, 224, 140};
 
-/// Draws a layout in the order in which things lie over one another.
+/// Draws a layout from back to front.
 class Painter {
   public:
     Painter(const ChartLayout& layout, const ChartFonts& fonts, int width, int height)
@@ -51,13 +51,13 @@ class Painter {
   private:
     double px(double length) const { return length * layout_.scale; }
 
-    /// Lines of the grid fall on whole pixels: all of them look the same then.
+    /// Grid lines are at whole pixels, so that all look the same.
     double thickness() const { return std::max(1.0, std::round(layout_.scale)); }
 
     void grid() {
         const PixelBox& plot = layout_.plot;
         canvas_.fillBox(plot, plotGround);
-        // Fine lines first, so that decades lie over them.
+        // Fine lines first, decades over them.
         for (const bool decade : {false, true}) {
             const Rgb color = decade ? decadeLine : fineLine;
             for (const ChartTick& tick : layout_.x.ticks) {
@@ -114,14 +114,14 @@ class Painter {
         }
         for (const PlacedSeries& series : layout_.series) {
             for (const PlacedPoint& point : series.points) {
-                // A rim in the paper's colour keeps markers apart that lie over one another.
+                // A rim in the background's colour separates markers that overlap.
                 marker(series.marker, point.pixel, layout_.markerRadius() + px(1.5), paper);
                 marker(series.marker, point.pixel, layout_.markerRadius(), series.color);
             }
         }
     }
 
-    /// All kinds cover about as much as a disc of this radius.
+    /// All kinds have about the area of a disc of this radius.
     void marker(ChartMarker kind, PixelPoint p, double radius, Rgb color) {
         const double half = radius * 0.88;
         const double wide = radius * 1.22;

@@ -13,20 +13,20 @@ struct ChartPoint {
     std::string label;  ///< written beside the marker where there is room; may be empty
 };
 
-/// One curve: markers joined in the order given. The name stands at its last point.
+/// One curve: markers joined in the order given. The name is drawn at the last point.
 struct ChartSeries {
     std::string name;
     std::vector<ChartPoint> points;
 };
 
-/// A line of this slope in the log-log plane, drawn where there is room: what a curve's steepness is held against.
+/// A line of this slope in the log-log plane, to compare the steepness of curves with. Drawn where there is room.
 struct ChartSlope {
     double slope = -0.5;
     std::string label;
 };
 
 /// A chart with two logarithmic axes. Any text may be empty; all of it is UTF-8. Points that have no logarithm (0,
-/// negative, not finite) are not drawn, and the footnote says how many and whose.
+/// negative, not finite) are not drawn; the footnote says how many and of which series.
 struct Chart {
     std::string title;
     std::string subtitle;
@@ -34,7 +34,8 @@ struct Chart {
     std::string yLabel;
     std::vector<ChartSeries> series;
     std::vector<ChartSlope> slopes;
-    bool drawParetoFront = false;  ///< a pale line behind, through the points that none beats in both x and y
+    bool drawParetoFront =
+        false;  ///< a pale line behind the curves through the Pareto front: no other point is better in both
     std::string footnote;
 };
 

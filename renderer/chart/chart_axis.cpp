@@ -11,7 +11,7 @@
 namespace timeshade {
 namespace {
 
-/// A lone value, or equal ones, still get an axis with labels on it.
+/// A single value, or equal ones, still get an axis with labels.
 constexpr double narrowestRange = 0.7;
 
 std::string superscript(int number) {
@@ -23,7 +23,7 @@ std::string superscript(int number) {
     return text;
 }
 
-/// Which multiples of a power of ten are labelled: as many as lie far enough apart.
+/// Which multiples of a power of ten are labelled: as many as are far enough apart.
 std::span<const int> labelledMantissas(double pixelsPerDecade, double spacing) {
     static constexpr std::array<int, 5> many = {1, 2, 3, 5, 7};
     static constexpr std::array<int, 3> some = {1, 2, 5};
@@ -96,10 +96,10 @@ std::vector<ChartTick> ticksOf(const ChartAxis& axis, double spacing) {
                 continue;
             }
             const bool isLabelled = std::find(labelled.begin(), labelled.end(), mantissa) != labelled.end();
-            // 1e-2 is nearer to 0.01 than any product with a power is.
+            // Parsing "1e-2" gives the double nearest to 0.01, which a product with a power may miss.
             const double value = std::strtod(fmt::format("{}e{}", mantissa, exponent).c_str(), nullptr);
             if (value == 0.0 || std::isinf(value)) {
-                continue;  // the margin of an axis may reach past the largest double
+                continue;  // the margin of an axis may exceed the largest double
             }
             ticks.push_back({value, isLabelled ? tickLabel(mantissa, exponent) : "", mantissa == 1});
         }

@@ -24,17 +24,17 @@ struct ChartAxis {
     double pixelsPerDecade() const;
 };
 
-/// Where data of these values lie; a narrow range is widened around its middle to most of a decade. Values without
-/// a logarithm are not asked for.
+/// log10 of the smallest and largest value; a narrow range is widened around its centre to most of a decade. All values
+/// must be positive and finite.
 struct LogRange {
     double low = -1.0;
     double high = 1.0;
 };
 LogRange logRangeOf(const std::vector<double>& values);
 
-/// The ticks that an axis has room for: at every decade or every few, labels `spacing` pixels apart or more; where
-/// decades are wide, lines at 2 to 9 and labels at some of them. At least two labels are on every axis that is
-/// widened as above and has room for them.
+/// The ticks that fit an axis: at every decade or every few, labels at least `spacing` pixels apart; where decades are
+/// wide, also lines at 2 to 9 and labels at some of them. An axis that is widened as above has at least two labels if
+/// it has room for them.
 std::vector<ChartTick> ticksOf(const ChartAxis& axis, double spacing);
 
 /// 0.02 and 3000; from 10⁶ and below 10⁻⁴ as powers.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/check.h"
+
 namespace timeshade {
 namespace {
 
@@ -14,7 +16,7 @@ double distanceToSegment(PixelPoint p, PixelPoint a, PixelPoint b) {
     return std::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy);
 }
 
-/// Near enough to the covered share of a pixel whose centre is this far from a straight edge.
+/// Approximate coverage of a pixel whose centre is this far from a straight edge.
 double coverageAt(double distance) { return std::clamp(0.5 - distance, 0.0, 1.0); }
 
 PixelPoint between(PixelPoint a, PixelPoint b, double share) {
@@ -23,7 +25,7 @@ PixelPoint between(PixelPoint a, PixelPoint b, double share) {
 
 using Segment = std::pair<PixelPoint, PixelPoint>;
 
-/// The pieces of a polyline that are drawn. The pattern runs on around corners.
+/// The pieces of a polyline that are drawn. The dash pattern continues around corners.
 std::vector<Segment> piecesOf(std::span<const PixelPoint> points, double dash) {
     std::vector<Segment> pieces;
     double travelled = 0.0;
@@ -50,7 +52,7 @@ std::vector<Segment> piecesOf(std::span<const PixelPoint> points, double dash) {
     return pieces;
 }
 
-/// Whole pixels that a box touches, kept inside the picture.
+/// Whole pixels that a box overlaps, clipped to the picture.
 struct PixelRange {
     PixelRange(const PixelBox& box, int width, int height)
         : left(limited(box.left, width)),
@@ -71,6 +73,8 @@ PixelPoint centreOf(int x, int y) { return {x + 0.5, y + 0.5}; }
 }  // namespace
 
 ChartCanvas::ChartCanvas(int width, int height, Rgb background) : width_(width), height_(height) {
+    CHECK_GT(width, 0);
+    CHECK_GT(height, 0);
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     rgb_.reserve(pixels * 3);
     for (std::size_t i = 0; i < pixels; ++i) {
@@ -119,7 +123,7 @@ void ChartCanvas::drawLine(std::span<const PixelPoint> points, const ChartStroke
             for (int x = range.left; x < range.right; ++x) {
                 float& share = covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                                        static_cast<std::size_t>(x)];
-                // Thinner than a pixel, a line gets paler and not thinner.
+                // A line thinner than a pixel is drawn paler, not thinner.
                 const double strength = coverageAt(distanceToSegment(centreOf(x, y), a, b) - std::max(radius, 0.5));
                 share = std::max(share, static_cast<float>(strength * std::min(stroke.width, 1.0)));
             }

@@ -14,17 +14,17 @@ struct ChartStroke {
     double width = 1.0;  ///< pixels
     Rgb color;
     double opacity = 1.0;
-    double dash = 0.0;  ///< pixels drawn, then as many left out; 0 draws all
+    double dash = 0.0;  ///< pixels drawn, then the same length of gap; 0: no dashes
 };
 
-/// Anti-aliased shapes on a picture. Colours are mixed as they are encoded, which is what makes thin dark lines and
-/// letters on a light ground look even.
+/// Anti-aliased shapes on a picture. Colours are blended in sRGB encoding, so that thin dark lines and letters on a
+/// light background look even.
 class ChartCanvas {
   public:
     ChartCanvas(int width, int height, Rgb background);
 
     void fillBox(const PixelBox& box, Rgb color);
-    /// Round ends and joins. However often the line crosses itself, its opacity counts once.
+    /// Round ends and joins. Where the line crosses itself, its opacity is applied once.
     void drawLine(std::span<const PixelPoint> points, const ChartStroke& stroke);
     void fillDisc(PixelPoint centre, double radius, Rgb color);
     /// Corners in either order around.
@@ -43,10 +43,10 @@ class ChartCanvas {
     std::vector<float> rgb_;  ///< 0 to 255
 };
 
-/// Grows a mask by `radius` pixels to all sides.
+/// Grows a mask by `radius` pixels on all sides.
 CoverageMask dilated(const CoverageMask& mask, double radius);
 
-/// The same mask turned a quarter to the left around the point x, y.
+/// The same mask turned 90 degrees to the left around the point x, y.
 CoverageMask turnedLeft(const CoverageMask& mask, int x, int y);
 
 }  // namespace timeshade

@@ -37,7 +37,7 @@ std::uint32_t takeCodePoint(std::string_view& text) {
     return code;
 }
 
-/// Adds a glyph to the mask; where two touch, the sum counts.
+/// Adds a glyph to the mask; where two overlap, coverages are added and clamped.
 void addGlyph(CoverageMask& mask, const CoverageMask& glyph) {
     for (int row = 0; row < glyph.height; ++row) {
         for (int column = 0; column < glyph.width; ++column) {
@@ -119,7 +119,7 @@ CoverageMask ChartFont::render(std::string_view text, double size, double x, dou
     mask.width = static_cast<int>(std::ceil(width(text, size) + 2.0 * size)) + 1;
     mask.height = static_cast<int>(std::ceil(2.0 * size)) + 1;
     mask.coverage.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
-    // Letters stand anywhere between pixels sideways, but on whole pixels upright: sharp stems are worth more.
+    // Sub-pixel positions horizontally, whole pixels vertically: baselines stay sharp.
     const int baseline = static_cast<int>(std::lround(y));
     forEachGlyph(text, size, [&](int glyph, double offset, double) {
         const double origin = x + offset;
@@ -168,7 +168,7 @@ std::string ChartFont::shorten(const std::string& text, double size, double widt
     if (this->width(text, size) <= width) {
         return text;
     }
-    // Where code points begin: a text is only cut there.
+    // Where code points begin; text is cut only there.
     std::vector<std::size_t> starts;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if ((static_cast<std::uint8_t>(text[i]) & 0xc0) != 0x80) {
@@ -176,7 +176,7 @@ std::string ChartFont::shorten(const std::string& text, double size, double widt
         }
     }
     const auto cut = [&](std::size_t start) { return text.substr(0, start) + "…"; };
-    // The first cut that is too wide; the one before it is the answer.
+    // The first cut that is too wide; the result is the one before it.
     const auto tooWide = std::partition_point(
         starts.begin(), starts.end(), [&](std::size_t start) { return this->width(cut(start), size) <= width; });
     return cut(tooWide == starts.begin() ? 0 : *(tooWide - 1));

@@ -18,7 +18,7 @@ struct CoverageMask {
     std::vector<std::uint8_t> coverage;
 };
 
-/// A TrueType font. Sizes are pixels per em; text is UTF-8, and what is not shows as U+FFFD.
+/// A TrueType font. Sizes are pixels per em. Text is UTF-8; invalid bytes are drawn as U+FFFD.
 class ChartFont {
   public:
     /// Throws Error that names the file.
@@ -26,13 +26,13 @@ class ChartFont {
     ~ChartFont();
 
     double width(std::string_view text, double size) const;
-    /// Height of a capital letter: what centres a line on a point.
+    /// Height of a capital letter, for centring a line of text on a point.
     double capHeight(double size) const;
 
     /// The text with its baseline starting at x, y.
     CoverageMask render(std::string_view text, double size, double x, double y) const;
 
-    /// Lines no wider than `width`, broken between words; a longer word stands alone.
+    /// Lines no wider than `width`, broken between words. A word that is wider gets a line of its own.
     std::vector<std::string> wrap(std::string_view text, double size, double width) const;
     /// The text, or its beginning and an ellipsis, no wider than `width`.
     std::string shorten(const std::string& text, double size, double width) const;
@@ -45,7 +45,7 @@ class ChartFont {
     std::unique_ptr<Data> data_;
 };
 
-/// DejaVu Sans, of the package fonts-dejavu-core.
+/// DejaVu Sans, from the package fonts-dejavu-core.
 struct ChartFonts {
     ChartFont regular{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
     ChartFont bold{"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"};

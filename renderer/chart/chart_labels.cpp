@@ -10,7 +10,7 @@ namespace {
 
 constexpr double noRoom = std::numeric_limits<double>::infinity();
 
-/// Darker until it reads well on white (a contrast of 4.5, by the relative luminance of WCAG 2).
+/// Darkens a colour until text in it is legible on white (contrast 4.5, by the relative luminance of WCAG 2).
 Rgb inkOf(Rgb color) {
     const auto linear = [](double value) { return std::pow(value / 255.0, 2.2); };
     const auto luminance = [&](Rgb c) {
@@ -44,7 +44,7 @@ double lengthInside(PixelPoint a, PixelPoint b, const PixelBox& box) {
     return enter < leave ? (leave - enter) * std::hypot(dx, dy) : 0.0;
 }
 
-/// What is in the way so far.
+/// Everything placed so far that a text must avoid.
 class Obstacles {
   public:
     explicit Obstacles(const ChartLayout& layout) : bounds_(layout.plot.grown(-3.0 * layout.scale)) {
@@ -62,7 +62,7 @@ class Obstacles {
     void add(const PixelBox& box) { boxes_.push_back(box); }
     void addLine(PixelPoint a, PixelPoint b) { lines_.emplace_back(a, b); }
 
-    /// The length of lines below the box; noRoom where it would cover something or leave the plot.
+    /// The length of curves that the box would cover; noRoom if it would cover a marker or text, or leave the plot.
     double cost(const PixelBox& box) const {
         const bool covers =
             std::any_of(boxes_.begin(), boxes_.end(), [&](const PixelBox& b) { return b.overlaps(box); });
@@ -78,7 +78,7 @@ class Obstacles {
         return length;
     }
 
-    /// The same as cost() for what may lie below anything: covered boxes count by their size.
+    /// The same as cost() for a text that may be covered: covered boxes count by their area.
     double softCost(const PixelBox& box) const {
         double cost = bounds_.contains(box) ? lineCost(box) : noRoom;
         for (const PixelBox& b : boxes_) {
@@ -119,7 +119,7 @@ PixelPoint leaderEnd(const PlacedText& name, PixelPoint end) {
     return {name.box.left > end.x ? name.box.left : name.box.right, (name.box.top + name.box.bottom) / 2.0};
 }
 
-/// Nearest place for a name: to the right of the curve's end and, if need be, further up, down or to a side.
+/// The nearest place for a name: right of the curve's end or, if there is no room, further up, down or to a side.
 void placeName(const PlacedText& name, PixelPoint end, double scale, Obstacles& obstacles, PlacedSeries& series) {
     const double gap = 10.0 * scale;
     PlacedText best = name;
@@ -158,7 +158,7 @@ void placeNames(const Chart& chart, const ChartFonts& fonts, ChartLayout& layout
             order.push_back(i);
         }
     }
-    // From the top down: names that have to move then keep the order of their curves.
+    // From top to bottom, so that names that have to move keep the order of their curves.
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return layout.series[a].points.back().pixel.y < layout.series[b].points.back().pixel.y;
     });
@@ -173,7 +173,7 @@ void placeNames(const Chart& chart, const ChartFonts& fonts, ChartLayout& layout
 }
 
 void placePointLabels(const Chart& chart, const ChartFonts& fonts, ChartLayout& layout, Obstacles& obstacles) {
-    // Above first: curves fall to the right, so that side of a marker is mostly free.
+    // Above first: curves fall to the right, so the space above right of a marker is mostly free.
     constexpr std::array<std::array<double, 2>, 8> sides = {
         {{0.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}, {-1.0, 1.0}, {1.0, 0.0}, {-1.0, 0.0}, {1.0, 1.0}, {-1.0, -1.0}}};
     for (std::size_t i = 0; i < layout.series.size(); ++i) {
@@ -218,7 +218,7 @@ std::vector<PlacedSlope> fanOf(const Chart& chart, const ChartFonts& fonts, cons
         putBeside(label, to, 1.0, 0.0, 5.0 * layout.scale);
         fan.push_back({{}, to, label});
     }
-    // Steeper lines end lower; where their labels would meet, the lower one makes room.
+    // Steeper lines end lower; where their labels would overlap, the lower one is moved down.
     std::stable_sort(fan.begin(), fan.end(),
                      [](const PlacedSlope& a, const PlacedSlope& b) { return a.to.y < b.to.y; });
     for (std::size_t i = 1; i < fan.size(); ++i) {
@@ -243,7 +243,7 @@ void placeSlopes(const Chart& chart, const ChartFonts& fonts, ChartLayout& layou
                   std::max({around.bottom, slope.to.y, slope.label.box.bottom})};
     }
     around = around.grown(8.0 * layout.scale);
-    // On a grid over the plot, the emptiest place; of equal ones the lowest, then the leftmost.
+    // The emptiest place on a grid over the plot; among equal ones the lowest, then the leftmost.
     constexpr int steps = 48;
     PixelPoint best{layout.plot.left - around.left, layout.plot.bottom - around.bottom};
     double bestCost = noRoom;

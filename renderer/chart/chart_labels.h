@@ -11,12 +11,12 @@ struct TextStyle {
     bool bold = false;
 };
 
-/// One line of text with its baseline starting there.
+/// One line of text whose baseline starts at `baseline`.
 PlacedText placeText(const ChartFonts& fonts, const std::string& text, PixelPoint baseline, const TextStyle& style);
 
-/// Finds room inside the plot for names, labels and slopes, once its points are placed. Nothing covers a marker or
-/// another text; where that leaves a choice, what stays clear of curves and close to its point wins. Names are
-/// written even where there is no room, labels of points are not.
+/// Places names, labels and slopes inside the plot once its points are placed. No text covers a marker or another text.
+/// Among the free places, one that is close to its point and clear of curves is preferred. Names are always drawn,
+/// labels of points only where there is room.
 void placeLabels(const Chart& chart, const ChartFonts& fonts, ChartLayout& layout);
 
 }  // namespace timeshade

@@ -105,7 +105,7 @@ class Builder {
         return layout_.texts.emplace_back(placeText(fonts_, text, baseline, {px(size), color, bold}));
     }
 
-    /// Lines of text that leave room for the plot: at least one, and not many more than `most`.
+    /// The lines of text that leave room for the plot: at least one.
     std::vector<std::string> wrapped(const std::string& text, double size, double room, double most) const {
         std::vector<std::string> lines = fonts_.regular.wrap(text, px(size), room);
         const std::size_t limit = static_cast<std::size_t>(std::max(most, 1.0));
@@ -119,7 +119,7 @@ class Builder {
         return lines;
     }
 
-    /// The title and what stands below it. Returns where the plot may start.
+    /// Places the title and the subtitle. Returns where the plot may start.
     double header() {
         const double room = width_ - px(24.0 + 28.0);
         double y = px(14.0);
@@ -139,7 +139,7 @@ class Builder {
         return y + px(18.0);
     }
 
-    /// The footnote and the horizontal axis's name, from the bottom up. Returns where the plot may end.
+    /// Places the footnote and the horizontal axis's name, from the bottom up. Returns where the plot may end.
     double footer() {
         const std::vector<std::string> lines =
             wrapped(layout_.footnote, 11.0, width_ - px(24.0 + 28.0), 0.15 * height_ / px(15.0));
@@ -165,10 +165,10 @@ class Builder {
         return values;
     }
 
-    /// How far data keep clear of the edges of a plot of this width or height.
+    /// The margin between data and the edges of a plot of this width or height.
     double margin(double extent) const { return std::min(px(30.0), 0.15 * extent); }
 
-    /// An axis whose data keep clear of the plot's edges by so many pixels.
+    /// An axis with a margin of this many pixels between its data and the plot's edges.
     static ChartAxis axisOver(LogRange range, double pixelLow, double pixelHigh, double padLow, double padHigh) {
         const double decades = (range.high - range.low) / (std::abs(pixelHigh - pixelLow) - padLow - padHigh);
         return {range.low - padLow * decades, range.high + padHigh * decades, pixelLow, pixelHigh, {}};
@@ -209,7 +209,7 @@ class Builder {
         label.box = {px(24.0), start - length, px(24.0 + 15.0), start};
     }
 
-    /// What the names need on the right of the data: each starts at the end of its curve.
+    /// The width that names need to the right of the data; each starts at the end of its curve.
     double roomForNames(LogRange range, double padLeft) const {
         const double width = layout_.plot.width();
         double pad = padLeft;
@@ -250,7 +250,7 @@ class Builder {
         for (std::size_t i = 0; i < chart_.series.size(); ++i) {
             PlacedSeries placed;
             placed.color = palette[i % palette.size()];
-            // After one round of the colours each meets another marker.
+            // After one round of the colours each is combined with another marker.
             placed.marker = static_cast<ChartMarker>((i + i / palette.size()) % markerKinds);
             const std::vector<ChartPoint>& points = chart_.series[i].points;
             for (std::size_t k = 0; k < points.size(); ++k) {

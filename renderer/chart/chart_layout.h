@@ -13,8 +13,8 @@ namespace timeshade {
 
 struct PlacedText {
     std::string text;
-    PixelPoint baseline;  ///< where its first letter starts; a vertical text runs upwards from there
-    PixelBox box;         ///< what its letters stay inside of
+    PixelPoint baseline;  ///< start of the first letter; vertical text runs upwards from there
+    PixelBox box;         ///< contains all letters
     double size = 12.0;   ///< pixels per em
     Rgb color;
     bool bold = false;
@@ -24,7 +24,7 @@ struct PlacedText {
 enum class ChartMarker { disc, square, diamond, triangleUp, triangleDown };
 
 struct PlacedPoint {
-    std::size_t index = 0;  ///< of the point in its ChartSeries; points that are not drawn are missing here
+    std::size_t index = 0;  ///< of the point in its ChartSeries; points that are not drawn are left out
     PixelPoint pixel;       ///< centre of its marker
 };
 
@@ -33,8 +33,8 @@ struct PlacedSeries {
     ChartMarker marker = ChartMarker::disc;
     std::vector<PlacedPoint> points;
     std::optional<PlacedText> name;  ///< none without points
-    std::vector<PixelPoint> leader;  ///< a thin line from the last point to a name that stands apart from it
-    std::vector<PlacedText> labels;  ///< those of the points that there was room for
+    std::vector<PixelPoint> leader;  ///< a thin line from the last point to a name that is not beside it
+    std::vector<PlacedText> labels;  ///< labels of points for which there was room
 };
 
 struct PlacedSlope {
@@ -43,13 +43,13 @@ struct PlacedSlope {
     PlacedText label;
 };
 
-/// Where everything in a chart goes: the part of drawing that can be checked with numbers.
+/// The position of everything in a chart. Tests check it as numbers.
 struct ChartLayout {
     double scale = 1.0;
     PixelBox plot;
     ChartAxis x;
     ChartAxis y;
-    std::vector<PlacedSeries> series;  ///< as many as in the chart, in its order
+    std::vector<PlacedSeries> series;  ///< in the chart's order
     std::vector<PixelPoint> paretoFront;
     std::vector<PixelPoint> paretoSample;  ///< a piece of the front's line before its name, as in a legend
     std::vector<PlacedSlope> slopes;
@@ -63,11 +63,11 @@ struct ChartLayout {
 /// Throws Error as drawChart does.
 ChartLayout layoutChart(const Chart& chart, const ChartFonts& fonts, int width, int height, double scale = 1.0);
 
-/// The points that no other point beats: none is as good in both x and y (less is better) and better in one.
-/// From left to right; points with equal values count once. Points that cannot be drawn take no part.
+/// The Pareto front: the points for which no other is at least as good in both x and y (less is better) and better in
+/// one. From left to right; equal points count once; points that cannot be drawn are left out.
 std::vector<ChartPoint> paretoFrontOf(const Chart& chart);
 
-/// Can this point be on logarithmic axes?
+/// Whether the point can be drawn on logarithmic axes.
 bool isDrawable(const ChartPoint& point);
 
 }  // namespace timeshade

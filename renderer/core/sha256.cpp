@@ -69,7 +69,7 @@ Sha256 sha256(std::span<const std::uint8_t> bytes) {
         absorb(state, bytes.data() + start);
     }
 
-    // The rest, a single 1 bit, zeros, and the length in bits at the end of the last block.
+    // The last bytes, a single 1 bit, zeros, and the length in bits at the end of the last block.
     std::array<std::uint8_t, 2 * blockSize> tail{};
     const std::size_t rest = bytes.size() - whole;
     std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(whole), rest, tail.begin());

@@ -12,22 +12,22 @@ namespace timeshade {
 
 struct ViewPlan;
 
-/// The sides of the scene's bounding box that a light shines on from within: what lies in them has nothing behind it
-/// that its shadow could fall on. A flat ground, most of the time.
+/// The sides of the scene's bounding box whose inner side faces the light. A triangle that lies in one of them has no
+/// receiver behind it and need not cast a shadow. Mostly this is a flat ground.
 class BoundingPlanes {
   public:
     /// `extent`: all vertices at both ends of the shutter, like `block` and `light` relative to the plan's origin.
     BoundingPlanes(const Bounds& extent, const shared::FrameBlock& block, const ViewPlan& light);
 
-    /// Does the triangle lie in one of them all through the shutter? Nothing that is seen is then behind it by more
-    /// than half of what the definition of a shadow leaves out (SEGMENT_NEAREST), rounding counted. `positionTexels`:
-    /// MeshTexels::positions.
+    /// Whether the triangle lies in one of the sides during the whole shutter. No receiver is then behind it by more
+    /// than half of the distance that the definition of a shadow ignores (SEGMENT_NEAREST), rounding included.
+    /// `positionTexels`: MeshTexels::positions.
     bool holds(const std::vector<glm::vec4>& positionTexels, std::uint32_t id) const;
 
   private:
     struct Side {
         int axis;
-        float low, high;  ///< coordinates that count as lying in it
+        float low, high;  ///< range of coordinates that lie in the side, in world units relative to the plan's origin
     };
     std::vector<Side> sides_;
 };

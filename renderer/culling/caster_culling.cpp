@@ -1,5 +1,7 @@
 #include "culling/caster_culling.h"
 
+#include "core/check.h"
+
 namespace timeshade {
 
 CasterCulling::CasterCulling(const FramePlan& plan, const ClosedSurfaces& surfaces)
@@ -9,6 +11,8 @@ CasterCulling::CasterCulling(const FramePlan& plan, const ClosedSurfaces& surfac
       boundingPlanes_(plan.extent, plan.block, plan.light) {}
 
 CasterCulling::Reason CasterCulling::of(std::uint32_t triangle) const {
+    CHECK_LT(triangle, plan_.triangles->size());
+    CHECK_LT(triangle, surfaces_.ofTriangles().size());
     const bool away = (*plan_.triangles)[triangle].light.facing == Facing::Away;
     if (away && cullable_[surfaces_.ofTriangles()[triangle]] != 0) return Reason::FacingAway;
     return boundingPlanes_.holds(plan_.texels->positions, triangle) ? Reason::NoReceiverBehind : Reason::None;

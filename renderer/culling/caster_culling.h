@@ -11,14 +11,14 @@
 
 namespace timeshade {
 
-/// Casters that can make no difference to any receiver, by proof (ClosedSurfaces, BoundingPlanes). Of one frame; the
-/// plan must outlive it.
+/// Finds the casters of one frame that provably shadow no visible receiver that other casters do not shadow as well
+/// (docs/numerics.md, "Culling of casters"). The plan and the surfaces must outlive it.
 class CasterCulling {
   public:
     enum class Reason {
-        None,             ///< it may cast a shadow that is seen
-        FacingAway,       ///< it faces away from the light on a closed surface, which is hidden by what faces the light
-        NoReceiverBehind  ///< nothing lies behind it, seen from the light
+        None,             ///< not culled: it may cast a visible shadow
+        FacingAway,       ///< a back face of a closed surface, seen from the light
+        NoReceiverBehind  ///< it lies in a side of the scene's bounds that no receiver is behind
     };
     CasterCulling(const FramePlan& plan, const ClosedSurfaces& surfaces);
     Reason of(std::uint32_t triangle) const;
@@ -30,8 +30,7 @@ class CasterCulling {
     BoundingPlanes boundingPlanes_;
 };
 
-/// The closed surfaces of the scene that was planned last: found when a technique first needs them, and not again until
-/// the scene is another one.
+/// The closed surfaces of a scene, found when they are first needed and again when a plan is of another scene.
 class ClosedSurfaceCache {
   public:
     const ClosedSurfaces& of(const FramePlan& plan);

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/check.h"
 #include "culling/self_crossing.h"
 
 namespace timeshade {
@@ -22,7 +23,7 @@ std::vector<std::uint32_t> instancesOfVertices(const MeshTopology& topology) {
     return instances;
 }
 
-/// For every vertex, the first one of its instance that lies at its place.
+/// For every vertex, the first one of its instance with the same position.
 std::vector<std::uint32_t> weld(const MotionMesh& mesh) {
     const std::vector<std::uint32_t> instances = instancesOfVertices(*mesh.topology);
     const auto key = [&](std::uint32_t v) {
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> weld(const MotionMesh& mesh) {
     return same;
 }
 
-/// What hangs together: the least number of each set.
+/// Disjoint sets (union-find); each is represented by its smallest member.
 class Sets {
   public:
     explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }
@@ -57,17 +58,17 @@ class Sets {
     std::vector<std::uint32_t> parents_;
 };
 
-/// An edge of a triangle, and whether that runs through it upwards (1) or downwards (-1).
+/// An edge of a triangle, and whether the triangle uses it from low to high (1) or from high to low (-1).
 struct Edge {
     std::uint32_t low, high, triangle;
     int sense;
 };
 
-/// Triangles connected by edges, and what their edges say of them.
+/// Sets of triangles connected by edges.
 struct Connected {
     Sets sets;                    ///< of triangles
-    std::vector<char> open;       ///< by set: an edge is run through more often one way than the other
-    std::vector<char> branching;  ///< by set: an edge belongs to more than two triangles
+    std::vector<char> open;       ///< by set: some edge is used more often in one direction than in the other
+    std::vector<char> branching;  ///< by set: some edge belongs to more than two triangles
 };
 
 Connected connect(const std::vector<glm::u32vec3>& triangles) {
@@ -100,7 +101,7 @@ Connected connect(const std::vector<glm::u32vec3>& triangles) {
     return connected;
 }
 
-/// Four vertices far apart from one another, in the order in which their tetrahedron has a positive volume.
+/// Four vertices far apart from one another, ordered so that their tetrahedron has a positive volume.
 std::array<std::uint32_t, 4> farApart(const std::vector<std::uint32_t>& vertices,
                                       const std::vector<glm::dvec3>& positions) {
     std::array<std::uint32_t, 4> corners{};
@@ -121,8 +122,8 @@ std::array<std::uint32_t, 4> farApart(const std::vector<std::uint32_t>& vertices
 
 double volume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) { return glm::dot(a, glm::cross(b, c)); }
 
-/// Is the tetrahedron's volume positive all through the shutter? A cubic in u, by its Bernstein coefficients.
-bool keepsItsSense(const MotionMesh& mesh, const std::array<std::uint32_t, 4>& corners) {
+/// Whether the tetrahedron's volume, a cubic in u, is positive during the whole shutter, by its Bernstein coefficients.
+bool isNeverMirrored(const MotionMesh& mesh, const std::array<std::uint32_t, 4>& corners) {
     glm::dvec3 a[3], b[3];
     for (std::size_t i = 0; i < 3; ++i) {
         a[i] = mesh.positionsOpen[corners[i + 1]] - mesh.positionsOpen[corners[0]];
@@ -134,23 +135,23 @@ bool keepsItsSense(const MotionMesh& mesh, const std::array<std::uint32_t, 4>& c
            volume(b[0], b[1], b[2]) > 0.0;
 }
 
-/// Does it bound a solid, its triangles' fronts outside? `triangles`: of the surface, welded, edges of two triangles
-/// each.
+/// Whether the surface bounds a solid with front faces outside. `triangles`: of the surface, with merged vertices, two
+/// triangles at each edge.
 bool boundsASolid(const std::vector<glm::dvec3>& positions, const std::vector<glm::u32vec3>& triangles) {
-    const glm::dvec3 centre = positions[triangles.front().x];  // any point; a near one keeps precision
+    const glm::dvec3 centre = positions[triangles.front().x];  // any point works; a near one keeps precision
     double enclosed = 0.0;
     for (const glm::u32vec3& t : triangles)
         enclosed += volume(positions[t.x] - centre, positions[t.y] - centre, positions[t.z] - centre);
     return enclosed > 0.0 && !mayCrossItself(positions, triangles);
 }
 
-/// The distance along the view's axis as a linear function of a place relative to the eye.
+/// The depth along the view's axis as a linear function of the position relative to the eye.
 glm::dvec3 depthAxis(const ViewEnd& end) {
     const glm::dvec3 normal = glm::cross(end.right, end.up);
     return normal / glm::dot(normal, end.corner);
 }
 
-/// How far from the eye the near plane's corners are.
+/// The distance from the eye to the near plane's farthest corner.
 double nearPlaneReach(const ViewPlan& view) {
     double farthest = 0.0;
     for (const ViewEnd* end : {&view.open, &view.close})
@@ -200,20 +201,22 @@ ClosedSurfaces::ClosedSurfaces(const MotionMesh& mesh, const std::vector<Materia
 
 std::vector<char> ClosedSurfaces::facingAwayCullable(const MotionMesh& mesh, const glm::dvec3& origin,
                                                      const ViewPlan& camera, const ViewPlan& light) const {
-    // Far above the rounding of views and positions, far below anything that is seen.
+    CHECK_EQ(mesh.topology->triangles.size(), ofTriangles_.size());
+    // Much larger than the rounding of views and positions, much smaller than anything visible.
     constexpr double slack = 1e-5;
     const glm::dvec3 eyes[2] = {camera.open.eye + origin, camera.close.eye + origin};
     const double reach = nearPlaneReach(camera);
-    const bool spot = light.projection == Projection::Perspective;  // a directional light's map is as deep as the scene
+    // The shadow map of a directional light contains the scene, so it has no near plane to check.
+    const bool spot = light.projection == Projection::Perspective;
     const glm::dvec3 lights[2] = {light.open.eye + origin, light.close.eye + origin};
     const glm::dvec3 axis = spot ? depthAxis(light.open) : glm::dvec3(0.0);
 
-    std::vector<char> pairs(surfaces_.size() + 1, 0);
+    std::vector<char> cullable(surfaces_.size() + 1, 0);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         const Surface& surface = surfaces_[i];
-        if (surface.nowhereNegative && !keepsItsSense(mesh, surface.corners)) continue;
-        glm::dvec3 low(1e300),
-            high(-1e300);  // relative to the eye, at both ends: straight ways between them stay inside
+        if (surface.nowhereNegative && !isNeverMirrored(mesh, surface.corners)) continue;
+        // Relative to the eye at both ends; linear paths between them stay inside these bounds.
+        glm::dvec3 low(1e300), high(-1e300);
         double nearest = 1e300, farthest = 0.0;
         for (const std::uint32_t v : surface.vertices) {
             const glm::dvec3 places[2] = {mesh.positionsOpen[v], mesh.positionsClose[v]};
@@ -229,13 +232,13 @@ std::vector<char> ClosedSurfaces::facingAwayCullable(const MotionMesh& mesh, con
         const bool eyeOutside = surface.nowhereNegative || glm::any(glm::greaterThan(low, glm::dvec3(margin))) ||
                                 glm::any(glm::lessThan(high, glm::dvec3(-margin)));
         const bool lightOutside = !spot || nearest > static_cast<double>(light.block.nearDistance) + slack * farthest;
-        pairs[i + 1] = eyeOutside && lightOutside ? 1 : 0;
+        cullable[i + 1] = eyeOutside && lightOutside ? 1 : 0;
     }
     for (const Seam& seam : seams_)
         if (mesh.positionsOpen[seam.vertex] != mesh.positionsOpen[seam.same] ||
             mesh.positionsClose[seam.vertex] != mesh.positionsClose[seam.same])
-            pairs[seam.surface] = 0;
-    return pairs;
+            cullable[seam.surface] = 0;
+    return cullable;
 }
 
 }  // namespace timeshade

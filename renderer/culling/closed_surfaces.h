@@ -11,43 +11,43 @@
 
 namespace timeshade {
 
-/// Surfaces without a border: triangles connected by their edges, each edge run through as often one way as the other.
-/// The winding number around such a surface drops by one where a way crosses it outwards, through a triangle from its
-/// back to its front, and rises by one where it goes inwards. It is 0 at a light outside; where it is not negative at
-/// the receiver, the way to the light goes out at least as often as in. So whoever asks only whether that way meets the
-/// surface may leave out all crossings inwards: triangles that face away from the light. (Second-depth shadow maps rest
-/// on the same: Wang, Molnar 1994.) Inwards, because those may lie too near to the receiver to count, while the
-/// crossing outwards that goes with them counts.
+/// Closed surfaces: triangles connected by their edges, where each edge is used in one direction as often as in the
+/// other. Along the segment from a receiver to the light, the winding number of such a surface decreases by one where
+/// the segment leaves it (through a triangle from back to front) and increases by one where it enters. The winding
+/// number is 0 at a light outside. If it is not negative at the receiver, the segment leaves at least as often as it
+/// enters, so a test for any intersection may ignore all entries: the triangles that face away from the light.
+/// (Second-depth shadow maps use the same: Wang and Molnar 1994.) Entries and not exits are ignored, because an entry
+/// may be too near to the receiver to count while the exit that belongs to it counts.
 ///
-/// Where is it not negative? Everywhere, if the surface meets itself nowhere and encloses a positive volume. That is
-/// found out at rest and holds for whatever moves by one matrix that does not mirror. Of a surface that deforms it is
-/// taken that no part of it is turned inside out before the camera's eyes; where one is, a receiver seen through its
-/// backs may be called lit. And it is 0 where a camera ray from outside has met nothing, if the camera sees both sides
-/// of all the surface's triangles, whatever its shape.
+/// The winding number is nowhere negative if the surface does not intersect itself and encloses a positive volume. This
+/// is tested on the mesh at rest and remains true under any rigid or affine motion that does not mirror. For a surface
+/// that deforms it is assumed that no visible part is turned inside out; if one is, a receiver that is seen through its
+/// back faces may be called lit. For surfaces of any shape the winding number is 0 at a receiver that a camera outside
+/// sees directly, if all the surface's triangles are double-sided.
 class ClosedSurfaces {
   public:
-    /// `mesh`: at rest, at u = 0. Vertices of one instance that lie on one another there are taken for one.
+    /// `mesh`: at rest; positions at u = 0 are used. Vertices of one instance with equal positions are merged.
     ClosedSurfaces(const MotionMesh& mesh, const std::vector<Material>& materials);
 
     std::size_t count() const { return surfaces_.size(); }
-    /// One entry a triangle: 1 .. count(), or 0 where it belongs to none.
+    /// The surface of each triangle: 1 .. count(), or 0 if it belongs to none.
     const std::vector<std::uint32_t>& ofTriangles() const { return ofTriangles_; }
 
-    /// One entry a surface, [0] false: may its crossings inwards be left out? All through the shutter, then, what was
-    /// taken for one vertex is one to the last bit, a spot light and its near plane lie outside, and so do the camera
-    /// and its own where the surface calls for it. `mesh` has the topology of the constructor's; the views' positions
-    /// are relative to `origin`.
+    /// For each surface (index 0 unused, false): whether its triangles that face away from the light may be culled.
+    /// True only if, during the whole shutter, merged vertices stay bitwise equal, a spot light and its near plane are
+    /// outside, and, for surfaces that need it, so are the camera and its near plane. `mesh` must have the topology of
+    /// the constructor's mesh; the views' positions are relative to `origin`.
     std::vector<char> facingAwayCullable(const MotionMesh& mesh, const glm::dvec3& origin, const ViewPlan& camera,
                                          const ViewPlan& light) const;
 
   private:
     struct Surface {
         std::vector<std::uint32_t> vertices;
-        bool nowhereNegative = false;            ///< the winding number, at rest; else all its triangles are two-sided
-        std::array<std::uint32_t, 4> corners{};  ///< a tetrahedron of vertices, of positive volume at rest
+        bool nowhereNegative = false;  ///< the winding number at rest; if not, all its triangles are double-sided
+        std::array<std::uint32_t, 4> corners{};  ///< a tetrahedron of vertices with positive volume at rest
     };
     struct Seam {
-        std::uint32_t vertex, same, surface;  ///< the second stands for both
+        std::uint32_t vertex, same, surface;  ///< `vertex` was merged into `same`
     };
     std::vector<std::uint32_t> ofTriangles_;
     std::vector<Surface> surfaces_;  ///< surface i at [i - 1]

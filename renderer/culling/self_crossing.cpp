@@ -11,7 +11,7 @@ namespace timeshade {
 
 namespace {
 
-/// On which side of a plane through a, b and c a point lies: 0 within what doubles can tell.
+/// The side of the plane through a, b and c that p is on: -1, 1, or 0 within rounding.
 int sideOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 normal = glm::cross(b - a, c - a), way = p - a;
     const double along = glm::dot(way, normal);
@@ -21,7 +21,7 @@ int sideOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const 
     return std::abs(along) <= noise ? 0 : along > 0.0 ? 1 : -1;
 }
 
-/// Does the segment from p to q meet the triangle, edges and corners included? Not where it lies in its plane.
+/// Whether the segment from p to q intersects the triangle, edges and corners included. False if it lies in its plane.
 bool meets(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const int side = sideOf(p, a, b, c), other = sideOf(q, a, b, c);
     if (side == other) return false;
@@ -33,7 +33,7 @@ bool has(const glm::u32vec3& triangle, std::uint32_t corner) {
     return triangle.x == corner || triangle.y == corner || triangle.z == corner;
 }
 
-/// Does an edge of `a` that has no corner of `b` meet `b`?
+/// Whether an edge of `a` that shares no corner with `b` intersects `b`.
 bool edgesMeet(const std::vector<glm::dvec3>& positions, const glm::u32vec3& a, const glm::u32vec3& b) {
     for (int i = 0; i < 3; ++i) {
         const std::uint32_t from = a[i], to = a[(i + 1) % 3];
@@ -51,8 +51,8 @@ bool apart(const Bounds& a, const Bounds& b) {
     return glm::any(glm::greaterThan(a.low, b.high)) || glm::any(glm::greaterThan(b.low, a.high));
 }
 
-/// Looks for two triangles that cross by halving space until few triangles are left in each part; what reaches over a
-/// border is in both.
+/// Searches for two triangles that intersect, splitting space in two until few triangles are left in each part.
+/// Triangles across a split are in both parts.
 class Search {
   public:
     Search(const std::vector<glm::dvec3>& positions, const std::vector<glm::u32vec3>& triangles)
@@ -79,7 +79,7 @@ class Search {
             if (boxes_[id].low[axis] <= border) below.push_back(id);
             if (boxes_[id].high[axis] >= border) above.push_back(id);
         }
-        // Where most lie over the border, halving gains nothing.
+        // If most triangles are across the split, splitting gains nothing.
         if (4 * std::max(below.size(), above.size()) > 3 * ids.size() + few) return pairs(ids);
         return among(below) || among(above);
     }

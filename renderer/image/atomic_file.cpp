@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
                             expected.empty() ? "" : "; expected ", expected));
 }
 
-/// A file descriptor that is closed on every way out.
+/// A file descriptor that is closed on every return and exception.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -41,14 +41,14 @@ class Descriptor {
     int number_;
 };
 
-/// What stands at the path now, looked up through symbolic links.
+/// What is at the path now, with symbolic links resolved.
 struct Target {
-    fs::path file;               ///< where the links end; renaming onto this keeps the links
-    std::optional<mode_t> mode;  ///< permissions of the file that is there already
+    fs::path file;               ///< the resolved path; renaming onto it keeps the links
+    std::optional<mode_t> mode;  ///< permissions of the existing file
     bool isStream = false;       ///< a device or a pipe: written to, never replaced
 };
 
-/// Where links to a file that does not exist yet end. The caller knows that they do not run in a circle.
+/// Resolves links to a file that does not exist yet. The caller has made sure that they form no cycle.
 fs::path followLinks(fs::path path) {
     std::error_code failed;
     while (fs::is_symlink(fs::symlink_status(path, failed))) {
@@ -72,7 +72,7 @@ Target inspectTarget(const fs::path& path) {
     if (S_ISDIR(status.st_mode)) {
         failWriting(path, EISDIR, "a file name");
     }
-    // Renaming would replace even a file that its owner made read-only.
+    // Renaming would replace even a file that is read-only.
     if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
         failWriting(path, errno);
     }
@@ -84,7 +84,7 @@ Target inspectTarget(const fs::path& path) {
     return {failed ? path : file, status.st_mode & 07777, false};
 }
 
-/// A new file beside the target that vanishes unless it is renamed onto it.
+/// A new file beside the target. It is deleted unless it is renamed onto the target.
 class PartFile {
   public:
     PartFile(const fs::path& path, const Target& target) : path_(path), target_(target) {
@@ -120,7 +120,7 @@ class PartFile {
   private:
     int create() {
         const fs::path folder = target_.file.parent_path().empty() ? fs::path(".") : target_.file.parent_path();
-        // Room for the suffix where the name itself is as long as a name may be.
+        // Leaves room for the suffix where the name has the greatest length that is allowed.
         const std::string stem = target_.file.filename().string().substr(0, 200);
         for (int attempt = 0;; ++attempt) {
             part_ = folder / fmt::format("{}.{}-{}.part", stem, ::getpid(), attempt);
@@ -128,7 +128,7 @@ class PartFile {
             if (number >= 0) {
                 return number;
             }
-            // Left by a process that was killed and had our number, or another thread's.
+            // Left by a killed process that had the same process id, or in use by another thread.
             if (errno == EEXIST && attempt < 1000) {
                 continue;
             }
@@ -193,7 +193,7 @@ void requireWritable(const fs::path& path) {
     requireFileName(path);
     const Target target = inspectTarget(path);
     if (!target.isStream) {
-        // Nothing but trying tells of read-only mounts, quotas and access lists.
+        // Read-only mounts, quotas and access lists can only be found out by trying.
         const PartFile part(path, target);
     }
 }

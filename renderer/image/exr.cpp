@@ -1,3 +1,4 @@
+#include "core/check.h"
 #include "core/error.h"
 #include "image/file_bytes.h"
 #include "image/image_file.h"
@@ -6,7 +7,6 @@
 #include <tinyexr.h>
 
 #include <array>
-#include <cassert>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -30,14 +30,14 @@ struct FreeMemory {
 std::string takeMessage(const char* message) {
     std::string text = message != nullptr ? message : "no reason given";
     FreeEXRErrorMessage(message);
-    // tinyexr ends its messages with line breaks; ours are one line.
+    // tinyexr ends its messages with line breaks; messages of this program have one line.
     while (!text.empty() && text.back() == '\n') {
         text.pop_back();
     }
     return text;
 }
 
-/// tinyexr's structures while a file is read, freed on every way out.
+/// tinyexr's structures while a file is read; freed on every return and exception.
 struct LoadedExr {
     LoadedExr() {
         InitEXRHeader(&header);
@@ -76,10 +76,10 @@ void load(const std::filesystem::path& path, const std::vector<unsigned char>& b
             exr.header.requested_pixel_types[channel] = TINYEXR_PIXELTYPE_FLOAT;
         }
     }
-    // Where loading fails, tinyexr frees as many channels as stand here.
+    // If loading fails, tinyexr frees as many channels as this number says.
     exr.image.num_channels = exr.header.num_channels;
     if (LoadEXRImageFromMemory(&exr.image, &exr.header, bytes.data(), bytes.size(), &message) != TINYEXR_SUCCESS) {
-        // tinyexr has freed what it had loaded, but leaves its pointers in place.
+        // tinyexr has freed what it had loaded, but left the pointers set.
         InitEXRImage(&exr.image);
         failReading(path, takeMessage(message));
     }
@@ -87,7 +87,7 @@ void load(const std::filesystem::path& path, const std::vector<unsigned char>& b
 
 const unsigned char* findChannel(const LoadedExr& exr, std::string_view name) {
     for (int channel = 0; channel < exr.header.num_channels; ++channel) {
-        // Halves were converted while loading; whole numbers are not colours.
+        // Half floats were converted while loading; integer channels are not colours.
         if (exr.header.channels[channel].name == name && exr.header.pixel_types[channel] != TINYEXR_PIXELTYPE_UINT) {
             return exr.image.images[channel];
         }
@@ -99,7 +99,7 @@ const unsigned char* findChannel(const LoadedExr& exr, std::string_view name) {
 
 void writeExr(const std::filesystem::path& path, const LinearImage& image) {
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    assert(image.rgb.size() == pixels * pixelSize);
+    CHECK_EQ(image.rgb.size(), pixels * pixelSize);
 
     std::array<std::vector<float>, storedChannels.size()> planes;
     std::array<unsigned char*, storedChannels.size()> planePointers{};

@@ -5,7 +5,7 @@
 
 namespace timeshade {
 
-/// The whole file. Throws Error: "cannot read PATH: REASON".
+/// Reads a whole file. Throws Error: "cannot read PATH: REASON".
 std::vector<unsigned char> readFileBytes(const std::filesystem::path& path);
 
 }  // namespace timeshade

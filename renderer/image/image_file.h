@@ -22,21 +22,22 @@ struct LinearImage {
     std::vector<float> rgb;
 };
 
-/// Both write to a temporary name in the same folder and rename it when whole: a full disk, a missing folder or a
-/// kill leave either the old file or none. Throw Error that names the path and the system's reason. Equal pixels
-/// give equal bytes. `note` (UTF-8), unless empty, goes into a text chunk "timeshade" of the PNG.
+/// Both write to a temporary name in the same folder and rename it when the file is complete: a full disk, a missing
+/// folder or a kill leaves either the old file or none. Throw Error that names the path and the system's reason. Equal
+/// pixels give equal bytes. `image.rgb` must hold 3 * width * height values (checked). A `note` (UTF-8) that is not
+/// empty is stored in a text chunk "timeshade" of the PNG.
 void writePng(const std::filesystem::path& path, const DisplayImage& image, const std::string& note = {});
 void writeExr(const std::filesystem::path& path, const LinearImage& image);
 
-/// Reads back what the functions above wrote, and any other PNG. Throws Error.
+/// Read a PNG of any kind, and an EXR of scan lines with the channels R, G and B. Throw Error.
 DisplayImage readPng(const std::filesystem::path& path);
 LinearImage readExr(const std::filesystem::path& path);
 
-/// Writes bytes under the same promise. For JSON and text.
+/// Writes bytes atomically, as above. For JSON and text.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const char> bytes);
 
-/// Throws Error now if a file at this path could not be written later: a missing folder, no permission, a folder in
-/// its place. Called before long work starts.
+/// Throws Error if a file at this path could not be written: missing folder, no permission, or the path is a folder.
+/// Called before long work starts.
 void requireWritable(const std::filesystem::path& path);
 
 }  // namespace timeshade

@@ -1,3 +1,4 @@
+#include "core/check.h"
 #include "core/error.h"
 #include "image/file_bytes.h"
 #include "image/image_file.h"
@@ -6,7 +7,6 @@
 #include <stb_image.h>
 #include <stb_image_write.h>
 
-#include <cassert>
 #include <limits>
 #include <memory>
 
@@ -57,7 +57,7 @@ struct FreePixels {
 }  // namespace
 
 void writePng(const std::filesystem::path& path, const DisplayImage& image, const std::string& note) {
-    assert(image.rgb.size() == byteCount(image));
+    CHECK_EQ(image.rgb.size(), byteCount(image));
     std::vector<char> bytes;
     if (stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, channels, image.rgb.data(),
                                image.width * channels) == 0) {

@@ -8,8 +8,8 @@ namespace timeshade {
 DynamicCasterMask maskOfDynamicCasters(const LightMotion& casters, const std::vector<shared::SweptBounds>& inMap,
                                        int mapSize) {
     constexpr int side = DynamicCasterMask::side;
-    constexpr float widestTest = 4.0f;  // texels
-    const float margin = widestTest / static_cast<float>(mapSize) + 1e-3f;
+    constexpr float widestFilter = 4.0f;  // texels
+    const float margin = widestFilter / static_cast<float>(mapSize) + 1e-3f;
     DynamicCasterMask mask;
     mask.cells.assign(std::size_t{side} * side, 0);
     const auto cellOf = [&](float position) {

@@ -7,15 +7,16 @@
 
 namespace timeshade {
 
-/// Where in the light's map a moving caster may be at any time of the shutter: a grid of bytes over the map, 0 where
-/// none comes within four texels (the widest that a technique's test looks aside).
+/// Where in the shadow map a dynamic caster may be at any time of the shutter: a grid of bytes over the map, 0 where no
+/// dynamic caster comes within four texels, which is the widest filter of a technique.
 struct DynamicCasterMask {
     static constexpr int side = 128;
-    std::vector<std::uint8_t> cells;  ///< [row from t = 0][column], side * side; empty: not made
-    std::size_t marked = 0;
+    std::vector<std::uint8_t> cells;  ///< [row, from t = 0 upwards][column], side * side; empty if not computed
+    std::size_t marked = 0;           ///< cells that are not 0
 };
 
-/// Of the lists of what moves; `inMap`: where in the light's map each triangle may be (MotionClassifier).
+/// Marks the cells of all dynamic casters. `inMap`: bounds of each triangle's path in the shadow map
+/// (MotionClassifier::Motion). mapSize: texels along a side.
 DynamicCasterMask maskOfDynamicCasters(const LightMotion& casters, const std::vector<shared::SweptBounds>& inMap,
                                        int mapSize);
 

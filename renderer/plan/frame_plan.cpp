@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/check.h"
 #include "plan/mesh_texels.h"
 #include "shared/hash.shared.h"
 
@@ -37,8 +38,8 @@ ViewPlan planCamera(const Scene& scene, const FrameRequest& request, const glm::
     return view;
 }
 
-/// A spot's map covers its outer cone. Its near plane only has to be nearer than anything: depth is stored so that
-/// precision is relative.
+/// The shadow map of a spot light covers its outer cone. Its near plane only has to be nearer than any geometry,
+/// because stored depth has relative precision.
 ViewPlan planSpotMap(const LightPose& open, const LightPose& close, const FramePlan& plan, double sceneDiagonal) {
     const double side = 2.0 * std::tan(open.outerConeAngle);
     ViewPlan view;
@@ -51,7 +52,7 @@ ViewPlan planSpotMap(const LightPose& open, const LightPose& close, const FrameP
     return view;
 }
 
-/// A directional light's map is fitted to all vertices of this shutter, at both ends.
+/// The shadow map of a directional light is fitted to all vertices at both ends of the shutter.
 ViewPlan planDirectionalMap(const LightPose& light, const FramePlan& plan) {
     Bounds bounds;  // in the light's axes
     const glm::dmat3 lightFromWorld = glm::transpose(light.axes);
@@ -84,7 +85,7 @@ void fillLight(shared::FrameBlock& block, const FramePlan& plan, double exposure
     block.cameraPositionClose = glm::vec4(glm::dvec4(plan.camera.close.eye, 0.0));
     block.lightDirection = glm::vec4(glm::dvec4(-light.axes[2], light.kind == LightKind::Directional ? 1.0 : 0.0));
     block.lightIntensity = glm::vec4(glm::dvec4(light.intensity * exposure, 0.0));
-    // Width of a map texel: per unit of distance from a spot, or as it is.
+    // Width of a map texel: at distance 1 from a spot, at any distance from a directional light.
     const double texel = glm::length(plan.light.open.right) / plan.request.mapSize;
     block.lightCone = glm::vec4(glm::dvec4(cosOuter, cosInner, 1.0 / (cosInner - cosOuter), texel));
     block.ambientSky = glm::vec4(0.17f, 0.19f, 0.23f, 0.0f);
@@ -92,8 +93,8 @@ void fillLight(shared::FrameBlock& block, const FramePlan& plan, double exposure
     block.background = glm::vec4(0.045f, 0.052f, 0.065f, 0.0f);
 }
 
-/// Exposure is fixed per scene: a white matt surface that faces the light in the middle of the scene, at the scene's
-/// own first time, has radiance 2.6, so that files in candela, lux or made-up units all look right.
+/// Exposure is fixed per scene, so that files in candela, lux or arbitrary units all look right: a white diffuse
+/// surface at the scene's centre that faces the light at the scene's default frame has radiance 2.6.
 double exposureOf(const Scene& scene) {
     const LightPose light = scene.light(scene.defaults().frame / scene.defaults().framesPerSecond);
     const glm::dvec3 path = scene.bounds().centre() - light.position;
@@ -102,23 +103,24 @@ double exposureOf(const Scene& scene) {
     return 2.6 * 3.14159265358979 * squared / strongest;
 }
 
-/// What the meshes do, each as a whole: by the one of its triangles that does most.
+/// Counts instances by the strongest motion of any of their triangles.
 void countInstances(const FramePlan& plan, MotionSummary& motion) {
     const MeshTopology& topology = *plan.mesh->topology;
-    enum : char { still, moving, nonTranslating };
-    std::vector<char> does(topology.instanceCount, still);
+    enum : char { isStatic, isMoving, isNonTranslating };
+    std::vector<char> motionOf(topology.instanceCount, isStatic);
     for (std::size_t id = 0; id < plan.triangles->size(); ++id) {
         const TriangleMotion& triangle = (*plan.triangles)[id];
-        char& instance = does[topology.triangleInstances[id]];
-        instance = std::max(instance, static_cast<char>(triangle.nonTranslating ? nonTranslating
-                                                        : triangle.light.moves  ? moving
-                                                                                : still));
+        char& instance = motionOf[topology.triangleInstances[id]];
+        instance = std::max(instance, static_cast<char>(triangle.nonTranslating ? isNonTranslating
+                                                        : triangle.light.moves  ? isMoving
+                                                                                : isStatic));
     }
-    motion.instances = does.size();
-    motion.nonTranslatingInstances =
-        static_cast<std::size_t>(std::count(does.begin(), does.end(), char{nonTranslating}));
-    motion.movingInstances =
-        motion.nonTranslatingInstances + static_cast<std::size_t>(std::count(does.begin(), does.end(), char{moving}));
+    const auto count = [&](char kind) {
+        return static_cast<std::size_t>(std::count(motionOf.begin(), motionOf.end(), kind));
+    };
+    motion.instances = motionOf.size();
+    motion.nonTranslatingInstances = count(isNonTranslating);
+    motion.movingInstances = motion.nonTranslatingInstances + count(isMoving);
 }
 
 MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
@@ -130,6 +132,19 @@ MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
     motion.cameraMoves = plan.camera.turns || plan.camera.open.eye != plan.camera.close.eye;
     motion.largestTurnDegrees = plan.mesh->largestTurnDegrees;
     return motion;
+}
+
+void checkRequest(const FrameRequest& request) {
+    for (const int side : {request.width, request.height}) {
+        CHECK_GE(side, 1);
+        CHECK_LE(side, maximumImageSide);
+    }
+    CHECK_GE(request.samplesPerPixel, 1);
+    CHECK_LE(request.samplesPerPixel, maximumSamplesPerPixel);
+    CHECK_GE(request.mapSize, 1);
+    CHECK_LE(request.mapSize, maximumMapSize);
+    CHECK_GT(request.shutter.framesPerSecond, 0.0);
+    CHECK_GE(request.shutter.length, 0.0);
 }
 
 std::string motionWords(const MotionSummary& motion) {
@@ -158,6 +173,7 @@ void FramePlanner::deform(double openSeconds, double closeSeconds) {
 }
 
 FramePlan FramePlanner::plan(const FrameRequest& request) {
+    checkRequest(request);
     const double open = request.shutter.openSeconds(request.frame);
     deform(open, request.shutter.closeSeconds(request.frame));
     const double close = scene_.heldCloseSeconds(open, request.shutter.closeSeconds(request.frame));
@@ -172,7 +188,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     plan.images = &scene_.images();
     plan.lightOpen = scene_.light(open);
     plan.lightClose = scene_.light(close);
-    // The map's orientation is fixed during a shutter: that of its middle.
+    // The orientation of the shadow map is constant during a shutter: the light's at the centre of the shutter.
     plan.lightOpen.axes = plan.lightClose.axes = scene_.light(0.5 * (open + close)).axes;
     plan.camera = planCamera(scene_, request, origin_, open, close);
     plan.light = plan.lightOpen.kind == LightKind::Directional
@@ -212,7 +228,7 @@ void FramePlanner::decideMotion(FramePlan& plan) {
     plan.motion.reclassified = motion.reclassified;
     const bool planned = !plan.request.forceDynamic;
     listTriangles(plan.camera, *plan.triangles, &TriangleMotion::camera, {.dropFacingAway = true, .allMove = !planned});
-    // Backs cast shadows too, whatever the material says.
+    // One-sided triangles cast shadows with both sides.
     const ListRules lightRules{.dropUnseenShadows = planned, .allMove = !planned};
     listTriangles(plan.light, *plan.triangles, &TriangleMotion::light, lightRules);
     plan.casters = casterLists(*plan.triangles, lightRules);
@@ -227,8 +243,10 @@ void FramePlanner::decideMotion(FramePlan& plan) {
 }
 
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {
+    CHECK_GE(m, 0);
+    CHECK_LT(m, renders);
     FramePlan instant = plan;
-    // Its samples are others.
+    // Its samples differ from the frame's, so nothing cached for those may be used.
     instant.versions.samples = instant.versions.lit = 0;
     instant.block.timeBase = (static_cast<float>(m) + 0.5f) / static_cast<float>(renders);
     instant.block.timeScale = 0.0f;

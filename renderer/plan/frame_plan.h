@@ -20,34 +20,36 @@
 
 namespace timeshade {
 
-/// A motion mesh in the form that the GPU reads, relative to the plan's origin.
+/// A motion mesh packed for the GPU: floats, relative to the plan's origin.
 struct MeshTexels {
-    std::vector<glm::vec4> positions;  ///< TRIANGLE_POSITION_TEXELS a triangle
-    std::vector<glm::vec4> shading;    ///< TRIANGLE_SHADING_TEXELS a triangle
-    std::vector<glm::vec3> vertices;   ///< two a vertex: position at u = 0, position at u = 1
+    std::vector<glm::vec4> positions;  ///< TRIANGLE_POSITION_TEXELS per triangle
+    std::vector<glm::vec4> shading;    ///< TRIANGLE_SHADING_TEXELS per triangle
+    std::vector<glm::vec3> vertices;   ///< two per vertex: position at u = 0, position at u = 1
 };
 
-/// What moves in this shutter; decided once per frame, printed by --explain.
+/// What moves in this shutter. Computed once per frame, printed by --explain.
 struct MotionSummary {
     std::size_t triangles = 0;
-    std::size_t movingTriangles = 0;  ///< any vertex moves in the world
+    std::size_t movingTriangles = 0;  ///< at least one vertex moves in world space
     bool lightMoves = false;
     bool cameraMoves = false;
-    std::size_t reclassified = 0;  ///< triangles whose motion was not known from the frame before
-    std::size_t instances = 0, movingInstances = 0,
-                nonTranslatingInstances = 0;  ///< meshes; that move in the light's frame; of those, that turn or deform
+    std::size_t reclassified = 0;             ///< triangles whose motion could not be reused from the previous frame
+    std::size_t instances = 0;                ///< mesh instances
+    std::size_t movingInstances = 0;          ///< of those: move relative to the light
+    std::size_t nonTranslatingInstances = 0;  ///< of those: turn or deform
     double largestTurnDegrees = 0.0;
 };
 
-/// A pass of the frame and why it is there.
+/// A pass of the frame and the reason for it, as --explain prints it.
 struct PassDecision {
     std::string name;
     std::string reason;
     std::size_t triangles = 0;
 };
 
-/// All that is decided before anything is drawn: times, matrices, lists, seed. Techniques read it and nothing else
-/// but the mesh and the sample buffer.
+/// Everything that is decided before a frame is drawn: times, matrices, triangle lists, seed. A technique reads the
+/// plan, the mesh and the sample buffer, nothing else. Positions in it are relative to `origin`, in world units, unless
+/// stated otherwise.
 struct FramePlan {
     FrameRequest request;
     glm::dvec3 origin{0.0};  ///< subtracted from world positions in double before they become floats
@@ -59,20 +61,19 @@ struct FramePlan {
     ViewPlan light;
     shared::FrameBlock block{};
     MotionSummary motion;
-    std::shared_ptr<const std::vector<TriangleMotion>> triangles;  ///< what each does in this shutter
-    LightMotion casters;                   ///< the light's side of it, by the way in which a technique has to draw them
-    std::shared_ptr<const RestPose> rest;  ///< of the scene: the same for all of a planner's frames
-    StaticVersions versions;               ///< what may be kept from frame to frame
-    DynamicCasterMask
-        reached;  ///< where in the light's map something that moves may cast a shadow; empty unless still.lit
+    std::shared_ptr<const std::vector<TriangleMotion>> triangles;  ///< motion of each triangle, by id
+    LightMotion casters;                                           ///< static, dynamic and near-plane casters
+    std::shared_ptr<const RestPose> rest;  ///< of the scene; the same for all frames of a planner
+    StaticVersions versions;               ///< keys for caches that outlive the frame
+    DynamicCasterMask reached;             ///< shadow map area of dynamic casters; empty if versions.lit is 0
     std::vector<PassDecision> passes;
     std::vector<std::string> warnings;
-    const std::vector<Material>* materials = nullptr;  ///< the scene's, which outlives the plan
+    const std::vector<Material>* materials = nullptr;  ///< owned by the scene, which must outlive the plan
     const std::vector<Image>* images = nullptr;
 };
 
-/// Makes plans for one scene, and keeps what two frames in a row share: a mesh is deformed and converted only when
-/// its instants change.
+/// Plans the frames of one scene. The mesh is deformed and packed only when the shutter's instants change, and motion
+/// is classified only for triangles that changed. The scene must outlive the planner and its plans.
 class FramePlanner {
   public:
     explicit FramePlanner(const Scene& scene);
@@ -94,9 +95,8 @@ class FramePlanner {
     MotionClassifier memory_;
 };
 
-/// The plan of render m of `renders` of the same frame: one camera sample per pixel, all of them at the instant
-/// u = (m + 1/2) / renders, with another position inside the pixel in each render, and 1 / renders of the picture's
-/// weight. What brute force draws.
+/// The plan of render m (0 <= m < renders) of a frame that is accumulated from `renders` instants: one camera sample
+/// per pixel, all at u = (m + 1/2) / renders, at another sub-pixel position in each render, with weight 1 / renders.
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders);
 
 }  // namespace timeshade

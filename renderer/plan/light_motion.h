@@ -8,22 +8,22 @@
 
 namespace timeshade {
 
-/// The triangles that may cast a shadow in this shutter, each in one list, by how they move in the light's own frame
-/// (its map travels with the light, so what moves along with a moving light stands still there). Ascending order.
-/// Triangles that never come inside the map are in none, nor are moving ones whose shadow nobody sees.
+/// The triangles that may cast a visible shadow in this shutter, by their motion relative to the light: the shadow map
+/// is translated with the light, so a caster that moves along with it is static here. Each is in one list, in ascending
+/// order. Triangles that are never inside the map, and dynamic ones whose shadow the camera cannot see, are in none.
 struct LightMotion {
-    std::vector<std::uint32_t>
-        staticCasters;  ///< all six view coordinates are the same numbers at both ends: one depth says all
-    std::vector<std::uint32_t>
-        dynamicCasters;  ///< in front of the near plane throughout: the swept volume has a projection
-    std::vector<std::uint32_t>
-        nearPlane;  ///< moving, and a vertex is at the near plane or behind it at one end (spot only)
-    std::size_t nonTranslating =
-        0;  ///< of `dynamicCasters`: the vertices do not all move alike, so the swept sides are not flat
+    /// The positions in the light's view are bitwise equal at both ends: one depth map describes them.
+    std::vector<std::uint32_t> staticCasters;
+    /// Dynamic, and in front of the near plane during the whole shutter, so that the swept volume can be projected.
+    std::vector<std::uint32_t> dynamicCasters;
+    /// Dynamic, with a vertex at or behind the near plane at one end (spot lights only).
+    std::vector<std::uint32_t> nearPlane;
+    /// Of `dynamicCasters`: those whose vertices have different displacements, so that swept sides are not planar.
+    std::size_t nonTranslating = 0;
     bool nothingMoves() const { return dynamicCasters.empty() && nearPlane.empty(); }
 };
 
-/// The rules are those of the light's own lists.
+/// `rules`: as for the light's view (listTriangles).
 LightMotion casterLists(const std::vector<TriangleMotion>& triangles, const ListRules& rules);
 
 }  // namespace timeshade

@@ -1,9 +1,15 @@
 #include "plan/mesh_texels.h"
 
+#include "core/check.h"
+
 namespace timeshade {
 
 MeshTexels packMesh(const MotionMesh& mesh, const std::vector<Material>& materials, const glm::dvec3& origin) {
     const MeshTopology& topology = *mesh.topology;
+    CHECK_EQ(mesh.positionsOpen.size(), topology.vertexCount);
+    CHECK_EQ(mesh.positionsClose.size(), topology.vertexCount);
+    CHECK_EQ(mesh.normalsOpen.size(), topology.vertexCount);
+    CHECK_EQ(mesh.normalsClose.size(), topology.vertexCount);
     MeshTexels texels;
     texels.positions.resize(topology.triangles.size() * TRIANGLE_POSITION_TEXELS);
     texels.shading.resize(topology.triangles.size() * TRIANGLE_SHADING_TEXELS);
@@ -20,6 +26,7 @@ MeshTexels packMesh(const MotionMesh& mesh, const std::vector<Material>& materia
     for (std::size_t i = 0; i < topology.triangles.size(); ++i) {
         const glm::u32vec3 v = topology.triangles[i];
         const std::uint32_t material = topology.triangleMaterials[i];
+        CHECK_LT(material, materials.size());
         const glm::vec3 &a0 = open[v.x], &a1 = open[v.y], &a2 = open[v.z], &b0 = close[v.x], &b1 = close[v.y],
                         &b2 = close[v.z];
         position[0] = {a0.x, a0.y, a0.z, a1.x};

@@ -9,7 +9,7 @@ namespace timeshade {
 
 namespace {
 
-/// One count for all planners, so that no two of them give one number to different things.
+/// One counter for all planners, so that no number is used twice.
 std::uint64_t newVersion() {
     static std::atomic<std::uint64_t> last{0};
     return ++last;

@@ -10,20 +10,21 @@ namespace timeshade {
 
 struct MeshTexels;
 
-/// Numbers that stand for what stands still. Two frames with the same number, of whatever planner, have the same of it,
-/// to the last bit, so what was drawn of it for one serves the other. 0: nothing may be kept.
+/// Version numbers of the static parts of a frame, for use in cache keys. Two frames with the same number, even from
+/// different planners, have bitwise equal static parts, so a cached result is valid for both. 0: must not be cached.
 struct StaticVersions {
-    std::uint64_t casters = 0;  ///< the light's view and the triangles that stand still in it
-    std::uint64_t samples = 0;  ///< the camera's view and samples, and the triangles that stand still before it
-    std::uint64_t lit = 0;      ///< both, and the light
+    std::uint64_t casters = 0;  ///< the light's view and its static triangles
+    std::uint64_t samples = 0;  ///< the camera's view and sample pattern, and its static triangles
+    std::uint64_t lit = 0;      ///< both, and the light: visibility of static receivers by static casters
 };
 
-/// What every triangle does, decided anew only for those whose numbers are others than in the frame before.
+/// Classifies the motion of every triangle. Results of the previous frame are reused for triangles whose positions and
+/// views have not changed.
 class MotionClassifier {
   public:
     struct Motion {
         std::shared_ptr<const std::vector<TriangleMotion>> triangles;
-        std::shared_ptr<const std::vector<shared::SweptBounds>> inMap;  ///< where in the light's map each may be
+        std::shared_ptr<const std::vector<shared::SweptBounds>> inMap;  ///< bounds in the shadow map
         StaticVersions versions;
         std::size_t reclassified = 0;  ///< triangles
     };

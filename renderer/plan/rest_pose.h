@@ -8,8 +8,8 @@
 
 namespace timeshade {
 
-/// A scene's mesh at one fixed instant (0 s), for facts that no frame changes: whichever frame is drawn first, they are
-/// the same. Made when it is first needed, once.
+/// A scene's mesh at one fixed instant (0 s), for facts that must not depend on which frame is drawn first. Computed
+/// once, on first use; safe to use from several threads.
 class RestPose {
   public:
     /// The scene must outlive the pose.

@@ -8,24 +8,23 @@ namespace timeshade {
 
 namespace {
 
-/// The five planes of a view's frustum as linear functions of its coordinates that are positive inside: 0 < X < Z, 0 <
-/// Y < Z, and Z > 0.
+/// The five planes of a view's frustum (0 < X < Z, 0 < Y < Z, Z > 0) as linear functions that are positive inside.
 std::array<float, 5> planes(const glm::vec3& v) { return {v.x, v.z - v.x, v.y, v.z - v.y, v.z}; }
 
 float largest(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 }  // namespace
 
-// Behind a vertex p, seen from the light l, lie the points p + t (p - l), t >= 0. A plane's function f is linear, so
-// all of them are outside where f(p) < 0 and f(p) - f(l) < 0; and so are, p and l being linear in u and a triangle the
-// hull of its vertices, all points behind the triangle at all times where that holds for three vertices at both ends.
+// The points behind a vertex p, seen from the light l, are p + t (p - l) with t >= 0. A plane's function f is linear,
+// so they are all outside if f(p) < 0 and f(p) - f(l) < 0. Since p and l are linear in u and a triangle is the convex
+// hull of its vertices, it suffices to test three vertices at both ends of the shutter.
 bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera) {
     if (views.camera.turns || views.camera.projection != Projection::Perspective) return true;
     bool outside[5] = {true, true, true, true, true};
     const auto mayBeSeen = [&] {
         return std::none_of(std::begin(outside), std::end(outside), [](bool yes) { return yes; });
     };
-    // Most triangles are before the camera themselves, and no more needs to be asked.
+    // Early out: most triangles are inside the frustum themselves.
     for (const bool close : {false, true}) {
         for (const glm::vec3& vertex : close ? inCamera.close : inCamera.open) {
             const float slack = 1e-4f * largest(vertex);

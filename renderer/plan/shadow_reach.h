@@ -5,10 +5,9 @@
 
 namespace timeshade {
 
-/// May the camera see anything that lies behind the triangle, seen from the light, at any time of the shutter?
-/// `inCamera`: the triangle in the camera's view coordinates. False only where that is certain: the volume behind the
-/// triangle lies outside one plane of the camera's frustum throughout, by far more than rounding. A turning camera is
-/// not looked into: true.
+/// Whether the camera may see a point behind the triangle, seen from the light, at any time of the shutter. `inCamera`:
+/// the triangle in the camera's view coordinates. Conservative: false only if the shadow volume is outside one plane of
+/// the camera's frustum during the whole shutter, by much more than rounding. Always true for a camera that turns.
 bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera);
 
 }  // namespace timeshade

@@ -13,8 +13,8 @@ namespace {
 
 float sizeOf(const glm::vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// By the signs of a vertex times the cross product of two edges: a cubic in u, by its Bernstein coefficients. Edges
-/// first, so that small triangles far away keep their precision.
+/// The sign of dot(vertex, cross(edge, edge)), a cubic in u, from its Bernstein coefficients. Differences of vertices
+/// are formed first, which keeps precision for small triangles far away.
 Facing facingOf(const ViewTriangle& t, Projection projection) {
     const glm::vec3 a1 = t.open[1] - t.open[0], a2 = t.open[2] - t.open[0], b1 = t.close[1] - t.close[0],
                     b2 = t.close[2] - t.close[0];
@@ -24,7 +24,7 @@ Facing facingOf(const ViewTriangle& t, Projection projection) {
                     between = glm::cross(a1, b2) + glm::cross(b1, a2);
     const float first = glm::dot(a, normalOpen), second = glm::dot(b, normalOpen) + glm::dot(a, between);
     const float third = glm::dot(b, between) + glm::dot(a, normalClose), last = glm::dot(b, normalClose);
-    // Each coordinate carries the rounding of its place: so much of an edge times an edge times a place may be wrong.
+    // Bound on the rounding error: each coordinate is rounded in proportion to its magnitude (`place`).
     const float length = sizeOf(a1) + sizeOf(a2) + sizeOf(b1) + sizeOf(b2),
                 place = sizeOf(t.open[0]) + sizeOf(t.close[0]) + length;
     const float slack = 1.5e-7f * place * length * (sizeOf(a) + sizeOf(b));
@@ -33,12 +33,12 @@ Facing facingOf(const ViewTriangle& t, Projection projection) {
     return Facing::Unsure;
 }
 
-/// Where the triangle is at u = 0 and where it ever is: as boundsOf says of the triangle held there, and of itself.
+/// Image bounds of the triangle at u = 0, and of its path during the shutter (boundsOf()).
 struct OpenAndSwept {
     shared::SweptBounds open, swept;
 };
 
-/// sweptBoundsPerspective for both at once: extremes do not mind a point that comes twice.
+/// sweptBoundsPerspective for both at once: the extremes at u = 0 are reused for the path.
 OpenAndSwept openAndSwept(const ViewTriangle& t, float nearDistance) {
     shared::HomogeneousExtremes extremes = shared::noHomogeneousPoints();
     for (const glm::vec3& p : t.open) extremes = shared::addHomogeneousPoint(extremes, p);
@@ -63,7 +63,7 @@ OpenAndSwept openAndSwept(const ViewPlan& view, const ViewTriangle& t) {
     return {boundsOf(view, held), boundsOf(view, t)};
 }
 
-/// Side of the square that covers the triangle during one stratum, about: its own extent and its share of the way.
+/// Approximate side, in pixels, of the square that covers the triangle during one stratum.
 float squareSide(const ViewPlan& view, const OpenAndSwept& bounds, std::uint32_t strata) {
     const shared::SweptBounds &own = bounds.open, &swept = bounds.swept;
     const glm::vec2 extent = (own.high - own.low) * view.block.size;
@@ -73,7 +73,8 @@ float squareSide(const ViewPlan& view, const OpenAndSwept& bounds, std::uint32_t
 }
 
 bool fitsPoint(const ViewPlan& view, const OpenAndSwept& both, std::uint32_t strata) {
-    // A square wastes what lies beside a long triangle; a rectangle costs four vertices and two triangles of set-up.
+    // A point covers more pixels than a long triangle needs; a rectangle costs four vertices and set-up of two
+    // triangles.
     const float largestSmallSide = 16.0f;
     const shared::SweptBounds& bounds = both.swept;
     const glm::vec2 whole = (bounds.high - bounds.low) * view.block.size;
@@ -102,7 +103,7 @@ ViewMotion motionIn(const ViewPlan& view, const ViewTriangle& t, const OpenAndSw
     return motion;
 }
 
-/// Do the vertices take different ways? By more than the rounding of the view's coordinates.
+/// Whether the vertices have different displacements, by more than the rounding of view coordinates.
 bool nonTranslating(const ViewTriangle& t) {
     float size = 0.0f, difference = 0.0f;
     for (int i = 0; i < 3; ++i) {

@@ -10,49 +10,48 @@
 
 namespace timeshade {
 
-/// Which side of a triangle a view is on during the shutter. A side is only named where it is the same throughout, by
-/// more than floats may be wrong.
+/// Which side of a triangle faces a view. Towards and Away hold during the whole shutter, by more than rounding.
 enum class Facing : std::uint8_t { Towards, Away, Unsure };
 
-/// Where a triangle is in a view's picture during the shutter.
+/// Where a triangle is in a view's image during the shutter.
 enum class Reach : std::uint8_t { Outside, Inside, Crossing };
 
-/// What a triangle does in one view during the shutter, decided on the numbers that the GPU sees. Every answer is on
-/// the safe side: what is called outside never comes in, what is called still has the same six view coordinates at both
-/// ends, to the last bit.
+/// The motion of a triangle relative to one view during the shutter, computed from the floats that the GPU uses.
+/// Conservative: a triangle that is Outside never comes inside, and one that does not move has bitwise equal view
+/// coordinates at both ends.
 struct ViewMotion {
     bool moves = true;  ///< relative to the view
     Facing facing = Facing::Unsure;
     Reach reach = Reach::Crossing;
-    bool small = false;             ///< fits a point of at most maximumPointSide pixels in every stratum
-    bool reachesNearPlane = false;  ///< perspective: a vertex is at the near plane or behind it at one end
+    bool small = false;             ///< can be drawn as a point of at most maximumPointSide pixels in every stratum
+    bool reachesNearPlane = false;  ///< perspective: a vertex is at or behind the near plane at one end
 };
 
-/// What a triangle does during the shutter.
+/// The motion of a triangle during the shutter.
 struct TriangleMotion {
     bool movesInWorld = false;
-    bool nonTranslating = false;  ///< seen from the light its vertices take different ways: it turns or deforms
+    bool nonTranslating = false;  ///< in the light's view its vertices have different displacements
     bool doubleSided = false;
-    bool shadowMayBeSeen = true;  ///< false: nothing that the camera sees can lie behind it, seen from the light
+    bool shadowMayBeSeen = true;  ///< false: the camera sees no point in its shadow (shadowMayBeSeen())
     ViewMotion camera, light;
 };
 
-/// How a view's lists are made.
+/// Which triangles a view's lists contain.
 struct ListRules {
-    bool dropFacingAway = false;     ///< the camera sees no backs of one-sided triangles
-    bool dropUnseenShadows = false;  ///< of moving casters: those whose shadow nobody sees
-    bool allMove = false;            ///< what stands still is drawn as if it moved
+    bool dropFacingAway = false;     ///< drop one-sided triangles that face away
+    bool dropUnseenShadows = false;  ///< drop dynamic casters whose shadow the camera cannot see
+    bool allMove = false;            ///< list static triangles as dynamic
 };
 
-/// The two views of a frame, and how the light moves: what a triangle's motion is relative to.
+/// The two views that a triangle's motion is relative to, and the light's positions and directions.
 struct FrameViews {
     const ViewPlan& camera;
     const ViewPlan& light;
     const shared::FrameBlock& block;
 };
 
-/// The motion of triangle `id` of a mesh's uploaded texels (MeshTexels::positions). `inMap`: where in the light's map
-/// it may be during the shutter, as boundsOf says.
+/// The motion of triangle `id` of MeshTexels::positions. `inMap` receives the bounds of its path in the shadow map, as
+/// boundsOf() computes them.
 TriangleMotion motionOf(const std::vector<glm::vec4>& positionTexels, std::uint32_t id, const FrameViews& views,
                         shared::SweptBounds& inMap);
 

@@ -25,7 +25,7 @@ void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double far
     block.raysOpen = block.raysClose = glm::mat4(1.0f);
     view.turns = false;
     if (view.projection == Projection::Orthographic) {
-        // corner, right and up span the map itself; depth runs along the third axis.
+        // corner, right and up span the map; depth is along the third axis.
         const glm::dvec3 direction = glm::normalize(glm::cross(view.open.up, view.open.right));
         const glm::dmat3 viewFromWorld = glm::inverse(glm::dmat3(view.open.right, view.open.up, direction));
         block.viewFromWorldOpen = viewMatrix(viewFromWorld, view.open.eye + view.open.corner);
@@ -37,7 +37,7 @@ void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double far
     for (int column = 0; column < 3; ++column)
         difference = std::max(difference, glm::length(open[column] - close[column]));
     view.turns = difference > 1e-12;
-    // A turning view is described in the axes that it has half-way, so that the rays stay near to the identity.
+    // The view coordinates of a turning view use its axes at u = 1/2, so that its ray matrices stay near the identity.
     const glm::dmat3 viewFromWorld = glm::inverse(view.turns ? 0.5 * (open + close) : open);
     block.viewFromWorldOpen = viewMatrix(viewFromWorld, view.open.eye);
     block.viewFromWorldClose = viewMatrix(viewFromWorld, view.close.eye);

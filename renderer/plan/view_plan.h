@@ -22,31 +22,34 @@ struct ViewEnd {
     glm::dvec3 up;      ///< along the image's full height
 };
 
-/// Triangles in ascending order. Small ones are drawn as points: none is ever wider than maximumPointSide pixels.
+/// Triangle ids in ascending order. Small ones are drawn as points: none is wider than maximumPointSide pixels at any
+/// time.
 struct TriangleLists {
     std::vector<std::uint32_t> small, large;
     std::size_t count() const { return small.size() + large.size(); }
     bool empty() const { return count() == 0; }
 };
 
-/// How the camera or the light's map sees the scene during a shutter, and which triangles it has to draw.
+/// A view of the scene during a shutter, the camera's or the shadow map's, and the triangles to draw in it.
 struct ViewPlan {
     Projection projection = Projection::Perspective;
     bool turns = false;  ///< the view's axes differ between the ends; never for a light
     ViewEnd open, close;
     shared::ViewBlock block{};
 
-    /// Triangles that may be seen, each in one list: apart by whether they move relative to the view.
+    /// Triangles that may be visible, by whether they move relative to the view. Each is in one list.
     TriangleLists staticTriangles, dynamicTriangles;
     std::size_t outsideTriangles = 0;     ///< dropped: never inside the view
-    std::size_t facingAwayTriangles = 0;  ///< dropped: one-sided and turned away all through the shutter
-    std::size_t unseenTriangles = 0;      ///< dropped: moving casters whose shadow nobody sees
+    std::size_t facingAwayTriangles = 0;  ///< dropped: one-sided and facing away during the whole shutter
+    std::size_t unseenTriangles = 0;      ///< dropped: dynamic casters whose shadow the camera cannot see
 };
 
-/// Sides that GL promises nowhere but every driver has; the sample pass falls back on rectangles above it.
+/// Largest point size, in pixels. GL guarantees only 1, but all known drivers support this; larger triangles are drawn
+/// as rectangles.
 inline constexpr int maximumPointSide = 63;
 
-/// Fills the block's matrices from the ends of the view. near and far in world units.
+/// Fills the view's block from its ends. size: pixels; near and far distance: world units; far is used by orthographic
+/// views only.
 void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double farDistance);
 
 }  // namespace timeshade

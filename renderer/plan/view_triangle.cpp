@@ -1,9 +1,12 @@
 #include "plan/view_triangle.h"
 
+#include "core/check.h"
+
 namespace timeshade {
 
 ViewTriangle viewTriangle(const shared::ViewBlock& block, const std::vector<glm::vec4>& positionTexels,
                           std::uint32_t id) {
+    CHECK_LT(std::size_t{id} * TRIANGLE_POSITION_TEXELS, positionTexels.size());
     const glm::vec4* t = positionTexels.data() + std::size_t{id} * TRIANGLE_POSITION_TEXELS;
     const glm::vec3 open[3] = {glm::vec3(t[0]), {t[0].w, t[1].x, t[1].y}, {t[1].z, t[1].w, t[2].x}};
     const glm::vec3 close[3] = {{t[2].y, t[2].z, t[2].w}, glm::vec3(t[3]), {t[3].w, t[4].x, t[4].y}};
@@ -27,7 +30,7 @@ shared::SweptBounds boundsOf(const ViewPlan& view, const ViewTriangle& t) {
 }
 
 bool meetsImage(const shared::SweptBounds& bounds) {
-    const float slack = 1e-3f;  // of the image
+    const float slack = 1e-3f;  // share of the image
     return bounds.low.x <= 1.0f + slack && bounds.low.y <= 1.0f + slack && bounds.high.x >= -slack &&
            bounds.high.y >= -slack && bounds.low.x <= bounds.high.x;
 }

@@ -22,7 +22,7 @@ void normaliseRotation(double* q) {
     }
 }
 
-/// Spherical interpolation on the shorter way round. Both ends are brought to unit length first.
+/// Spherical interpolation along the shorter arc. Both ends are normalised first.
 void slerp(const float* from, const float* to, double fraction, double* out) {
     double a[4], b[4];
     std::copy(from, from + 4, a);
@@ -34,7 +34,7 @@ void slerp(const float* from, const float* to, double fraction, double* out) {
     cosine = std::min(cosine * sign, 1.0);
     double shareA = 1.0 - fraction;
     double shareB = fraction;
-    if (cosine < 0.999999) {  // nearer than that, the chord is as good as the arc and free of 0/0
+    if (cosine < 0.999999) {  // closer than that, the chord equals the arc and avoids 0/0
         const double angle = std::acos(cosine);
         shareA = std::sin(shareA * angle) / std::sin(angle);
         shareB = std::sin(shareB * angle) / std::sin(angle);
@@ -69,7 +69,7 @@ std::shared_ptr<const std::vector<float>> readValues(const Model& model, int acc
                                                      const std::string& what) {
     auto& known = cache.values[accessor];
     if (known && model.accessors[static_cast<std::size_t>(accessor)].components == components) return known;
-    // Quantised files store translations and scales as integers too, so all narrow integers are let in.
+    // Quantised files store translations and scales as integers too, so all narrow integers are accepted.
     std::vector<float> values = readFloats(model, accessor, components, Integers::Quantized, what + " values");
     for (const float value : values)
         if (std::abs(value) > 1e15f) throw Error(fmt::format("{}: a key has the value {}", what, value));
@@ -116,7 +116,7 @@ bool Track::holds(std::size_t key) const {
 void Track::sample(double seconds, double* out) const {
     const bool cubic = interpolation == Interpolation::CubicSpline;
     const std::size_t perKey = cubic ? 3 * width : width;
-    const float* keys = values->data() + (cubic ? width : 0);  // the value itself is the middle of a spline's three
+    const float* keys = values->data() + (cubic ? width : 0);  // a spline key has in-tangent, value, out-tangent
     const auto after =
         static_cast<std::size_t>(std::upper_bound(times->begin(), times->end(), seconds) - times->begin());
     const std::size_t before = after == 0 ? 0 : after - 1;

@@ -11,7 +11,7 @@
 
 namespace timeshade::gltf {
 
-/// One animated property of a node: values at keys, and how to get from one to the next.
+/// One animated property of a node: values at keys, and the interpolation between them.
 struct Track {
     int node = -1;
     TargetPath path = TargetPath::Other;
@@ -20,12 +20,12 @@ struct Track {
     std::shared_ptr<const std::vector<double>> times;  ///< seconds, strictly increasing, never empty
     std::shared_ptr<const std::vector<float>> values;  ///< width per key; a spline has in-tangent, value, out-tangent
 
-    /// The value at the given time, held before the first and after the last key. Rotations (x, y, z, w) are unit.
+    /// The value at the given time, constant before the first and after the last key. Rotations (x, y, z, w) are unit.
     void sample(double seconds, double* out) const;
 
   private:
-    /// Nothing changes between this key and the next. Then the value is copied, not interpolated: what stands still
-    /// must do so to the last bit, or it would count as moving.
+    /// Whether the value is equal at this key and the next. It is then copied instead of interpolated: a static object
+    /// must be bitwise static, or it would be classified as moving.
     bool holds(std::size_t key) const;
 };
 
@@ -36,13 +36,13 @@ struct Clip {
     double duration = 0.0;  ///< the last key of all tracks, seconds
 };
 
-/// Keys by accessor. Channels share accessors, so reading each accessor once bounds memory by the file's size.
+/// Keys by accessor. Channels may share accessors; reading each accessor once bounds memory by the file's size.
 struct KeyCache {
     std::map<int, std::shared_ptr<const std::vector<double>>> times;
     std::map<int, std::shared_ptr<const std::vector<float>>> values;
 };
 
-/// Reads one animation and checks all of it. What cannot be played (targets of unknown kind) is left out with a note.
+/// Reads and validates one animation. Channels with unknown targets are left out with a note.
 Clip readClip(const Model& model, std::size_t animation, KeyCache& cache, std::vector<std::string>& notes);
 
 }  // namespace timeshade::gltf

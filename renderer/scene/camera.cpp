@@ -10,7 +10,7 @@ CameraPose lookAt(const glm::dvec3& eye, const glm::dvec3& target, const glm::dv
     const double distance = glm::length(back);
     back = distance > 0.0 ? back / distance : glm::dvec3(0.0, 0.0, 1.0);
 
-    // Where up is parallel to the view, or no direction at all, the world axis furthest from the view stands in.
+    // If up is parallel to the view direction or zero, the world axis farthest from the view direction replaces it.
     glm::dvec3 right = glm::cross(up, back);
     if (!(glm::length(right) > 1e-9 * glm::length(up)) || !(glm::length(up) > 0.0)) {
         const glm::dvec3 size = glm::abs(back);

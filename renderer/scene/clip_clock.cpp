@@ -9,7 +9,7 @@ double ClipClock::wrapped(double seconds) const {
     if (!(duration_ > 0.0) || !std::isfinite(seconds)) return 0.0;
     const double rest = std::fmod(seconds, duration_);
     const double positive = rest < 0.0 ? rest + duration_ : rest;
-    return positive < duration_ ? positive : 0.0;  // rest + duration rounds up to it when rest is tiny
+    return positive < duration_ ? positive : 0.0;  // the sum may round up to the duration
 }
 
 double ClipClock::during(double openSeconds, double closeSeconds, double share) const {
@@ -20,7 +20,7 @@ double ClipClock::during(double openSeconds, double closeSeconds, double share) 
 double ClipClock::heldClose(double openSeconds, double closeSeconds) const {
     const double left = duration_ - wrapped(openSeconds);
     if (loops_ || closeSeconds - openSeconds < left) return closeSeconds;
-    return openSeconds + left - 1e-9 * duration_;  // the end itself would wrap to the start
+    return openSeconds + left - 1e-9 * duration_;  // the exact end would wrap to the start
 }
 
 }  // namespace timeshade

@@ -2,20 +2,20 @@
 
 namespace timeshade {
 
-/// Turns any time into a time of a clip that plays again and again.
+/// Maps any time to the time of a clip that repeats.
 class ClipClock {
   public:
     /// loops: the clip's end joins its start without a jump.
     ClipClock(double duration, bool loops) : duration_(duration), loops_(loops) {}
 
-    /// In [0, duration); 0 where the clip has no length.
+    /// Clip time in [0, duration); 0 if the duration is 0.
     double wrapped(double seconds) const;
 
-    /// Clip time at a share (0 to 1) of a shutter. A shutter that passes the end goes on at the start if the clip
-    /// loops and is held at the end otherwise. openSeconds <= closeSeconds.
+    /// Clip time at a share (0 to 1) of a shutter; openSeconds <= closeSeconds. A shutter that passes the end of the
+    /// clip continues at its start if the clip loops, and is clamped to its end otherwise.
     double during(double openSeconds, double closeSeconds, double share) const;
 
-    /// The latest time that is not beyond the end of the clip's turn that openSeconds lies in: see Scene.
+    /// closeSeconds, clamped to the end of the repetition that openSeconds is in (see Scene::heldCloseSeconds).
     double heldClose(double openSeconds, double closeSeconds) const;
 
   private:

@@ -6,7 +6,7 @@ namespace timeshade::gltf {
 
 namespace {
 
-/// Transforms normals like the inverse transpose does, up to length, but exists for singular matrices too.
+/// Transforms normals like the inverse transpose, up to length, and is defined for singular matrices too.
 struct NormalMatrix {
     explicit NormalMatrix(const glm::dmat4x3& m)
         : x(glm::cross(m[1], m[2])), y(glm::cross(m[2], m[0])), z(glm::cross(m[0], m[1])) {
@@ -33,7 +33,7 @@ struct Vertex {
     glm::dvec3 normal;
 };
 
-/// A morph target that takes part, with its weight.
+/// A morph target whose weight is not zero.
 struct ActiveMorph {
     const MorphDeltas* deltas;
     double weight;
@@ -55,7 +55,7 @@ Vertex morphed(const Geometry& geometry, const std::vector<ActiveMorph>& morphs,
     return vertex;
 }
 
-/// The weighted sum of a vertex's joints. Without any weight the vertex stays with its node.
+/// The weighted sum of a vertex's joints. A vertex whose weights are all zero follows its node.
 glm::dmat4x3 blended(const Geometry& geometry, std::span<const glm::dmat4x3> joints, const glm::dmat4x3& rigid,
                      std::size_t v) {
     glm::dmat4x3 sum(0.0);

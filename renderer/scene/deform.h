@@ -16,21 +16,21 @@ struct SkinBinding {
     std::vector<glm::dmat4> jointFromMesh;  ///< inverse bind matrices, one per joint
 };
 
-/// One primitive of a mesh at one node, and its place in the scene's list of vertices.
+/// One primitive of a mesh at one node, and its first vertex in the scene's list of vertices.
 struct Instance {
     const Geometry* geometry = nullptr;
     int node = -1;
-    int skin = -1;  ///< into the scene's bindings; -1: rigid
+    int skin = -1;  ///< index of the scene's SkinBinding; -1: rigid
     std::size_t firstVertex = 0;
     bool moves = false;
 };
 
-/// worldFromMesh for every joint of a binding, ready to be blended.
+/// worldFromMesh for every joint of a binding, for blending.
 std::vector<glm::dmat4x3> jointMatrices(const SkinBinding& skin, const Pose& pose);
 
-/// World positions and unit normals of an instance in a pose: morph targets first, then the joints or the node.
-/// The one deformation of this program: every pass, and both ends of the shutter, get their vertices from here.
-/// `joints` is empty for a rigid instance. The spans hold one entry per vertex of the geometry.
+/// Computes world positions and unit normals of an instance in a pose: morph targets first, then the joints or the
+/// node. This is the only deformation in the program; all passes and both ends of the shutter use its results. `joints`
+/// is empty for a rigid instance. The spans have one entry per vertex of the geometry.
 void deform(const Instance& instance, const Pose& pose, std::span<const glm::dmat4x3> joints,
             std::span<glm::dvec3> positions, std::span<glm::vec3> normals);
 

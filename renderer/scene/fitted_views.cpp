@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Half of the diagonal; a point counts as something to look at as well.
+/// Half of the diagonal; not 0 even if the bounds are a point.
 double radiusOf(const Bounds& bounds) { return std::max(0.5 * bounds.diagonal(), 1e-9); }
 
 glm::dvec3 corner(const Bounds& bounds, int index) {

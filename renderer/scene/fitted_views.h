@@ -6,7 +6,7 @@
 
 namespace timeshade {
 
-/// A camera for a scene that has none: three-quarter view from above with all of the bounds in a 4:3 picture.
+/// A camera for a scene that has none: a three-quarter view from above with all of the bounds inside a 4:3 picture.
 CameraPose fittedCamera(const Bounds& bounds);
 
 /// A spot light for a scene that has none: from the upper left, all of the bounds inside its cone, bright enough

@@ -7,20 +7,20 @@
 
 namespace timeshade {
 
-/// How the vertices of one morph target differ from the rest shape. Empty normals: they do not differ.
+/// Differences of one morph target from the rest shape, per vertex. Empty normals: no difference.
 struct MorphDeltas {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
 };
 
-/// Four joints of a skin and their shares. The shares of a vertex sum to one over all its sets, or are all zero
-/// where the vertex follows no joint.
+/// Four joints of a skin and their weights, per vertex. The weights of a vertex sum to one over all its sets, or are
+/// all zero if it follows no joint.
 struct JointSet {
     std::vector<glm::u16vec4> joints;
     std::vector<glm::vec4> weights;
 };
 
-/// Triangles of one material in the space of their mesh, at rest. One entry per vertex in every list.
+/// Triangles of one material in mesh space, at rest. All lists have one entry per vertex.
 struct Geometry {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  ///< unit
@@ -31,8 +31,8 @@ struct Geometry {
     int material = -1;
 };
 
-/// Sums the normals of the triangles around each vertex, weighted by their area. Vertices that triangles do not
-/// share keep flat normals, as glTF asks for; those of no triangle get (0, 1, 0).
+/// Area-weighted mean of the normals of the triangles at each vertex. Vertices that are not shared get flat normals, as
+/// glTF requires; vertices of no triangle get (0, 1, 0).
 std::vector<glm::vec3> generatedNormals(const std::vector<glm::vec3>& positions,
                                         const std::vector<glm::u32vec3>& triangles);
 

@@ -13,7 +13,7 @@ namespace timeshade::gltf {
 
 namespace {
 
-/// glTF is little-endian and so is every machine this runs on; offsets may be unaligned in broken files.
+/// glTF is little-endian, as are all supported machines. Offsets may be unaligned in broken files.
 template <typename Stored>
 Stored load(const std::uint8_t* from) {
     Stored value;

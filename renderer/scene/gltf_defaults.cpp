@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The number under the key if it lies in [low, high], else nothing: silently where absent, with a note where bad.
+/// The number under the key if it is in [low, high]. Otherwise nothing, with a note if the key is present.
 std::optional<double> number(const Json& extras, const char* key, double low, double high,
                              std::vector<std::string>& notes) {
     const auto found = extras.find(key);

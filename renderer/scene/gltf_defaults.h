@@ -9,9 +9,9 @@
 
 namespace timeshade::gltf {
 
-/// What scene number `scene` (-1: none) suggests in `extras.timeshade`: {"frame", "fps", "shutter"}, each optional.
-/// A value that makes no sense is replaced, with a note. A file that moves and suggests no frame starts a third
-/// into its clip, where something is likely to be happening. duration: seconds, 0 where nothing moves.
+/// The defaults that scene number `scene` (-1: none) declares in `extras.timeshade`: {"frame", "fps", "shutter"}, each
+/// optional. Invalid values are replaced, with a note. Without a "frame", an animated file starts a third into its
+/// clip, where motion is likely. duration: seconds, 0 if nothing moves.
 SceneDefaults readDefaults(const nlohmann::json& root, int scene, double duration, std::vector<std::string>& notes);
 
 }  // namespace timeshade::gltf

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t maxJsonBytes = std::size_t{256} << 20;
 
-/// Extensions that may stand in extensionsRequired: the ones read here, and those that change the look only.
+/// Extensions allowed in extensionsRequired: those that are read, and those that change only the look.
 constexpr std::array supportedExtensions{"KHR_lights_punctual", "KHR_materials_unlit", "KHR_mesh_quantization"};
 
 std::uint32_t littleEndian32(std::span<const std::uint8_t> bytes, std::size_t offset) {
@@ -64,7 +64,7 @@ Chunks splitBinaryGltf(std::span<const std::uint8_t> bytes) {
     return chunks;
 }
 
-/// Recursive code further down (values kept as extras) trusts that no file nests deeper than this.
+/// Recursive code (values stored as extras) relies on this limit of nesting.
 void refuseDeepNesting(std::string_view text) {
     constexpr int deepest = 256;
     int depth = 0;
@@ -133,7 +133,7 @@ Document parseDocument(Bytes bytes) {
     if (bytes.empty()) throw Error("is empty");
     const Chunks chunks = binary ? splitBinaryGltf(bytes) : Chunks{bytes, {}, false};
     document.json = parseJson(chunks.json);
-    // Compressed files break later checks in ways that hide the cause, so this comes before any of them.
+    // Checked first: compressed files fail later checks with messages that hide the cause.
     refuseUnsupportedExtensions(document.json);
     refuseOtherVersions(document.json);
     checkStructure(document.json);

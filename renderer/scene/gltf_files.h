@@ -11,17 +11,18 @@ namespace timeshade::gltf {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The whole of a regular file. Anything else (folder, pipe, device, missing, longer than limit) is an Error.
+/// Reads a whole regular file. Throws Error for anything else: folder, pipe, device, missing file, more than `limit`
+/// bytes.
 Bytes readRegularFile(const std::filesystem::path& path, std::size_t limit);
 
-/// What a model may refer to: data URIs, and regular files inside the model's own folder. A file is read once,
-/// however often it is named, so that memory is bounded by what lies on the disk.
+/// The files that a model may refer to: data URIs, and regular files inside the model's own folder. Each file is read
+/// once, however often it is named, so that memory is bounded by the files' sizes.
 class FilesBeside {
   public:
-    /// limit: bytes in all.
+    /// limit: total bytes.
     FilesBeside(std::filesystem::path folder, std::size_t limit) : folder_(std::move(folder)), left_(limit) {}
 
-    /// The bytes that a buffer's or image's `uri` stands for; Error where it may not be read.
+    /// The bytes of a buffer's or image's `uri`. Throws Error if it must not or cannot be read.
     std::shared_ptr<const Bytes> read(const std::string& uri);
 
   private:

@@ -14,7 +14,7 @@ namespace timeshade::gltf {
 
 namespace {
 
-/// Positions beyond this lose all detail in single precision, and their products overflow it.
+/// Farther positions have no useful precision in float, and their products overflow.
 constexpr float farthest = 1e15f;
 
 enum Mode { TriangleList = 4, TriangleStrip = 5, TriangleFan = 6 };
@@ -32,7 +32,7 @@ std::vector<Vector> grouped(const std::vector<float>& values) {
     return vectors;
 }
 
-/// One value per vertex, or nothing where the file has none.
+/// One value per vertex; empty if the file has none.
 template <typename Vector>
 std::vector<Vector> readAttribute(const Model& model, int accessor, Integers integers, std::size_t vertexCount,
                                   const std::string& what) {
@@ -85,7 +85,7 @@ std::vector<glm::u32vec3> readTriangles(const Model& model, const Primitive& pri
     return assemble(corners, primitive.mode);
 }
 
-/// Broken or zero-length normals are replaced one by one: shading suffers, shadows do not.
+/// Replaces broken or zero-length normals one by one. This affects shading only, not shadows.
 std::vector<glm::vec3> readNormals(const Model& model, const Primitive& primitive, const Geometry& geometry,
                                    const std::string& what) {
     std::vector<glm::vec3> generated;
@@ -128,7 +128,7 @@ std::vector<JointSet> readJointSets(const Model& model, const Primitive& primiti
         sets[s].joints.resize(vertexCount);
         for (std::size_t i = 0; i < joints.size(); ++i) {
             const auto lane = static_cast<int>(i % 4);
-            // A joint without weight is often left uninitialised by exporters; only one that counts must exist.
+            // Exporters often leave joints with weight 0 uninitialised; only joints with a weight must exist.
             const bool counts = sets[s].weights[i / 4][lane] > 0.0f;
             if (counts && joints[i] >= jointCount)
                 throw Error(
@@ -172,7 +172,7 @@ void spendOnPrimitive(const Model& model, const Primitive& primitive, Budget& bu
     const std::uint64_t vertices = countOf(model, primitive.position);
     const std::uint64_t corners = primitive.indices >= 0 ? countOf(model, primitive.indices) : vertices;
     spend(budget.vertices, vertices, budget, "vertices");
-    // Targets are stored once per mesh, their weights once per node; counted per node this bounds both.
+    // Targets are stored per mesh, their weights per node; counting per node bounds both.
     for (std::size_t target = 0; target < primitive.targets.size(); ++target)
         spend(budget.morphs, vertices, budget, "vertices of morph targets");
     spend(budget.triangles, primitive.mode == TriangleList ? corners / 3 : corners, budget, "triangles");

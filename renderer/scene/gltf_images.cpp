@@ -26,7 +26,7 @@ bool startsWith(std::span<const std::uint8_t> bytes, std::initializer_list<int> 
     return true;
 }
 
-/// PNG and JPEG, which are what glTF knows; the decoder's many other formats are not offered to strangers.
+/// Only PNG and JPEG, as glTF specifies; the decoder's other formats are not exposed to untrusted files.
 Image decode(std::span<const std::uint8_t> bytes, std::size_t& budget) {
     if (!startsWith(bytes, {0x89, 'P', 'N', 'G'}) && !startsWith(bytes, {0xff, 0xd8, 0xff}))
         throw Error("neither PNG nor JPEG");
@@ -40,7 +40,7 @@ Image decode(std::span<const std::uint8_t> bytes, std::size_t& budget) {
     if (width < 1 || height < 1 || width > largestSide || height > largestSide)
         throw Error(fmt::format("{}x{} pixels, the limit is {} a side", width, height, largestSide));
     const std::size_t size = std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    // Neither format packs better than about a thousand to one, so a larger claim is no image.
+    // Neither format compresses better than about 1000 : 1, so a larger size cannot be true.
     if (size / 2048 > bytes.size())
         throw Error(fmt::format("{} bytes cannot hold {}x{} pixels", bytes.size(), width, height));
     if (size > budget) throw Error("the limit on bytes of images is used up");
@@ -56,13 +56,13 @@ Image decode(std::span<const std::uint8_t> bytes, std::size_t& budget) {
     return image;
 }
 
-/// Decodes an image when it is first asked for.
+/// Decodes each image on first use.
 class ImageShelf {
   public:
     ImageShelf(const Model& model, FilesBeside& files, std::vector<std::string>& notes)
         : model_(model), files_(files), notes_(notes) {}
 
-    /// Index into images of a texture of the file, -1 where there is none.
+    /// The image index of a texture, or -1.
     int indexOf(int texture) {
         if (texture < 0) return -1;
         const int source = model_.textureImages[static_cast<std::size_t>(texture)];

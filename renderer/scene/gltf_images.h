@@ -10,10 +10,10 @@ namespace timeshade::gltf {
 
 struct Looks {
     std::vector<Material> materials;  ///< never empty: the last is glTF's default material
-    std::vector<Image> images;        ///< those that some material shows
+    std::vector<Image> images;        ///< those that a material uses
 };
 
-/// Materials with their images decoded. An image that cannot be had costs the texture, and a note, no more.
+/// Materials with decoded images. If an image cannot be read, its texture is left out with a note.
 Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes);
 
 }  // namespace timeshade::gltf

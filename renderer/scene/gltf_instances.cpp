@@ -31,9 +31,9 @@ std::vector<SkinBinding> readSkins(const Model& model) {
     return skins;
 }
 
-/// What is the same for every instance of a skin; found once, since files may use a skin many times.
+/// Properties of a skin, computed once, since files may use a skin many times.
 struct SkinFacts {
-    bool mirrored = false;  ///< most joints mirror
+    bool mirrored = false;  ///< the majority of joints mirror
     bool moves = false;
     bool used = false;
 };
@@ -94,7 +94,7 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
     std::vector<SkinFacts> facts = factsOf(stage.skins, motion);
     auto topology = std::make_shared<MeshTopology>();
     std::size_t flipped = 0;
-    std::uint32_t number = 0;  // all primitives of a node are one instance to the rest of the program
+    std::uint32_t number = 0;  // all primitives of a node are one instance for the rest of the program
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const Node& node = model.nodes[n];
         if (!node.inScene || node.mesh < 0 || stage.geometries[static_cast<std::size_t>(node.mesh)].empty()) continue;

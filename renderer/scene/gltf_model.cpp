@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-// tinygltf parses the structure; files and images are read by this importer, never by tinygltf.
+// tinygltf only parses the structure. This importer reads files and images itself.
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
@@ -25,7 +25,7 @@ bool keepNoImage(tinygltf::Image*, const int, std::string*, std::string*, int, i
 }
 
 tinygltf::Model parseStructure(const Document& document) {
-    // Without these sections tinygltf has no reason to open a file or to decode anything.
+    // Without these sections tinygltf opens no file and decodes nothing.
     nlohmann::json bare = document.json;
     bare.erase("buffers");
     bare.erase("images");

@@ -14,7 +14,7 @@
 
 namespace timeshade::gltf {
 
-/// The values are glTF's own.
+/// Component types; the values are glTF's.
 enum class Component {
     Byte = 5120,
     UnsignedByte = 5121,
@@ -89,7 +89,7 @@ struct Node {
     int parent = -1;
     std::vector<int> children;
     LocalTransform local;
-    std::optional<glm::dmat4> matrix;  ///< stands in for `local` where the file gives a matrix
+    std::optional<glm::dmat4> matrix;  ///< replaces `local` if the file gives a matrix
     int mesh = -1;
     int skin = -1;
     int camera = -1;
@@ -146,7 +146,7 @@ struct MaterialSource {
     int baseColorTexture = -1;
     int metallicRoughnessTexture = -1;
     bool transparent = false;       ///< blended or cut out; drawn opaque
-    bool otherCoordinates = false;  ///< a texture asks for coordinates that are not read, or for a transform
+    bool otherCoordinates = false;  ///< a texture uses coordinates that are not read, or a transform
 };
 
 struct ImageSource {
@@ -155,8 +155,8 @@ struct ImageSource {
     int view = -1;
 };
 
-/// What a file says, as plain data. After readModel and validate every index is in range and every accessor lies
-/// within its view, every view within its buffer.
+/// The contents of a file as plain data. After readModel() and validate(), every index is in range, every accessor is
+/// inside its view and every view inside its buffer.
 struct Model {
     std::vector<std::shared_ptr<const Bytes>> buffers;
     std::vector<std::uint64_t> bufferLengths;  ///< as declared; at most the size of the bytes
@@ -176,13 +176,13 @@ struct Model {
     int scene = -1;                        ///< the one that is shown; -1: all roots
 };
 
-/// Structure only: nothing is checked but what the format of this struct demands.
+/// Converts the JSON. Checks only what this struct needs; validate() checks the rest.
 Model readModel(const Document& document);
 
 /// Loads the buffers that the file names.
 void loadBuffers(Model& model, const Document& document, FilesBeside& files);
 
-/// Throws Error at the first thing that would mislead a later step. Fills parent, inScene and parentsFirst.
+/// Throws Error for the first value that a later step could not rely on. Fills parent, inScene and parentsFirst.
 void validate(Model& model);
 
 }  // namespace timeshade::gltf

@@ -25,7 +25,7 @@ namespace {
 
 using namespace gltf;
 
-/// Deforms instances into lists that hold the vertices of all of them.
+/// Deforms instances into shared lists of vertices.
 void deformInstances(const Stage& stage, const Pose& pose, bool movingOnes, std::vector<glm::dvec3>& positions,
                      std::vector<glm::vec3>& normals) {
     std::vector<std::vector<glm::dmat4x3>> joints(stage.skins.size());
@@ -43,7 +43,7 @@ void deformInstances(const Stage& stage, const Pose& pose, bool movingOnes, std:
     }
 }
 
-/// What the file can play, by names that differ, and what it does play.
+/// The file's clips, with unique names, and the one that plays.
 struct ClipNames {
     std::vector<std::string> all;
     std::size_t chosen = 0;
@@ -128,7 +128,7 @@ class GltfScene final : public Scene {
     SceneDefaults defaults_;
     Bounds bounds_;
     double duration_ = 0.0;
-    bool moves_ = false;                 ///< some triangle does
+    bool moves_ = false;                 ///< some triangle moves
     std::vector<glm::dvec3> positions_;  ///< of instances that never move; the others' entries are scratch
     std::vector<glm::vec3> normals_;
 };
@@ -147,16 +147,16 @@ LightPose GltfScene::placedLight(const glm::dmat4& worldFromNode) const {
     if (views_.light.aimed) {
         glm::dvec3 target = bounds_.centre();
         if (glm::length(target - pose.position) < 1e-6 * bounds_.diagonal())
-            target.y -= bounds_.diagonal();  // from within: down
+            target.y -= bounds_.diagonal();  // from inside: aim down
         pose.axes = lookAt(pose.position, target, glm::dvec3(0.0, 1.0, 0.0), 1.0, 1.0).axes;
     }
     return pose;
 }
 
-/// Bounds of what the triangles touch during the clip.
+/// Bounds of all triangles during the clip.
 void GltfScene::measure() {
     constexpr int samples = 16;
-    constexpr double farthest = 1e18;  // squares of such distances still fit single precision
+    constexpr double farthest = 1e18;  // squares of such distances are finite in float
     const double duration = motion_.clip().duration;
     std::vector<glm::dvec3> positions = positions_;
     std::vector<glm::vec3> normals = normals_;
@@ -172,7 +172,7 @@ void GltfScene::measure() {
     if (!(bounds_.diagonal() > 1e-12)) throw Error("all its triangles together have no size");
 }
 
-/// Closeness, at the seam of a loop, in shares of the scene's extent: exporters round the last key.
+/// Tolerance at the seam of a loop, as a share of the scene's extent: exporters round the last key.
 constexpr double seamTolerance = 1e-4;
 
 bool GltfScene::viewsLoop(const Pose& start, const Pose& end) const {
@@ -195,7 +195,7 @@ bool GltfScene::viewsLoop(const Pose& start, const Pose& end) const {
     return same(a.position, a.axes, b.position, b.axes);
 }
 
-/// Whether the end of the clip shows what its start shows.
+/// Whether the end of the clip equals its start.
 bool GltfScene::loops() const {
     if (!(duration_ > 0.0)) return true;
     const Pose start = motion_.at(0.0);
@@ -219,7 +219,7 @@ MotionMesh GltfScene::motionMesh(double openSeconds, double closeSeconds) const 
                     mesh.normalsOpen);
     deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 1.0)), true, mesh.positionsClose,
                     mesh.normalsClose);
-    // In steps, because two ends alone cannot tell a whole turn from none.
+    // In steps, because the two ends alone cannot distinguish a full turn from none.
     constexpr int steps = 4;
     std::vector<double> path;
     for (int step = 0; step <= steps; ++step)
@@ -228,7 +228,7 @@ MotionMesh GltfScene::motionMesh(double openSeconds, double closeSeconds) const 
     return mesh;
 }
 
-/// The clips' names; where one comes again, "walk (2)", so that each can be asked for.
+/// The clips' names, made unique: the second "walk" becomes "walk (2)".
 std::vector<std::string> unlikeNames(const std::vector<Clip>& clips) {
     std::set<std::string> taken;
     std::map<std::string, int> times;

@@ -1,5 +1,5 @@
-// Strict where the reader below is lenient: tinygltf skips what has the wrong type, so that a mesh index written as
-// a string silently becomes "no mesh".
+// Stricter than tinygltf, which skips values of the wrong type, so that a mesh index written as a string silently
+// becomes "no mesh".
 
 #include <cmath>
 #include <set>
@@ -28,7 +28,7 @@ const std::set<std::string_view> integerListKeys{"children", "joints"};
 std::string shown(const Json& value) { return oneLine(value.dump(-1, ' ', true, Json::error_handler_t::replace), 40); }
 
 void requireInteger(Json& value, const std::string& where) {
-    constexpr double limit = 2147483648.0;  // offsets and counts beyond it exceed the limit on buffers in any case
+    constexpr double limit = 2147483648.0;  // larger offsets and counts exceed the limit on buffers anyway
     const bool number = value.is_number();
     const double amount = number ? value.get<double>() : -1.0;
     if (!number || !(amount >= 0.0) || amount >= limit || amount != std::floor(amount))
@@ -48,7 +48,7 @@ void requireNumbers(const Json& values, std::size_t count, const std::string& wh
     if (!good) throw Error(fmt::format("{} is {}, expected a list of {} numbers", where, shown(values), count));
 }
 
-/// The nesting of the file is limited already, and so is the depth of this recursion.
+/// Recursive; its depth is limited because the nesting of the file is limited.
 void checkIntegers(Json& object, const std::string& where) {
     for (auto& item : object.items()) {
         const std::string& key = item.key();

@@ -11,7 +11,7 @@ namespace timeshade::gltf {
 
 namespace {
 
-/// Larger than any sensible scene in any sensible unit; products of a few such numbers still fit a double.
+/// Larger than any realistic scene in any unit; products of a few such numbers are finite in double.
 constexpr double largestNumber = 1e18;
 
 void requireIndex(int index, std::size_t size, const std::string& where, const char* what) {
@@ -23,7 +23,7 @@ void allowIndex(int index, std::size_t size, const std::string& where, const cha
     if (index != -1) requireIndex(index, size, where, what);
 }
 
-/// The last byte of `count` elements, `stride` apart; saturates where 64 bits do not hold it.
+/// The last byte of `count` elements, `stride` apart; saturates on overflow of 64 bits.
 std::uint64_t extent(std::uint64_t offset, std::uint64_t count, std::uint64_t stride, std::uint64_t elementSize) {
     constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
     if (count == 0) return offset;
@@ -69,7 +69,7 @@ void checkSparse(const Model& model, const Accessor& accessor, std::uint64_t ele
 }
 
 void checkAccessors(const Model& model) {
-    // Elements without bytes in the file cost the file nothing; so they alone need a limit of their own.
+    // Elements without data do not add to the file's size, so they need a separate limit.
     constexpr std::uint64_t maxZeros = 1u << 20;
     std::uint64_t zeros = 0;
     for (std::size_t i = 0; i < model.accessors.size(); ++i) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double widestCone = 1.48;       // 85 degrees: see LightPose
 constexpr double pointLightCone = 1.396;  // 80 degrees
 
-/// Gives every camera a name of its own: "eye", "eye 2", "eye 3", ...
+/// Makes names of cameras unique: "eye", "eye 2", "eye 3", ...
 class NameList {
   public:
     std::string unused(const std::string& wanted) {
@@ -96,7 +96,7 @@ PlacedLight placed(const Light& light, int node, const std::string& name, std::v
 }
 
 void readLight(const Model& model, const Bounds& bounds, Views& views, std::vector<std::string>& notes) {
-    // A light with a direction of its own is preferred to one that has to be given a direction.
+    // Lights with a direction are preferred to point lights, for which one has to be chosen.
     int chosen = -1;
     const auto lightOf = [&](int node) -> const Light& {
         return model.lights[static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(node)].light)];

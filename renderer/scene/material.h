@@ -20,7 +20,7 @@ struct Material {
     int metallicRoughnessImage = -1;  ///< green: roughness, blue: metalness, linear; -1 for none
 };
 
-/// Eight bits a channel, four channels, rows from top to bottom as glTF has them.
+/// Four channels of eight bits, rows from top to bottom as in glTF.
 struct Image {
     std::string name;
     int width = 0;

@@ -12,7 +12,7 @@ namespace timeshade::gltf {
 namespace {
 
 void requireFinite(const glm::dmat4& matrix, std::size_t node, double clipSeconds) {
-    constexpr double limit = 1e30;  // positions made with it still fit any later product in double precision
+    constexpr double limit = 1e30;  // products of such positions are finite in double
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             if (!(std::abs(matrix[column][row]) <= limit))
@@ -24,7 +24,7 @@ glm::dquat unit(const glm::dquat& rotation) {
     return length > 1e-12 ? rotation / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 
-/// Translation, rotation and scale of a matrix, as far as these can express it.
+/// Translation, rotation and scale of a matrix; shear is lost.
 LocalTransform decomposed(const glm::dmat4& matrix) {
     LocalTransform local;
     local.translation = glm::dvec3(matrix[3]);
@@ -37,7 +37,7 @@ LocalTransform decomposed(const glm::dmat4& matrix) {
 double angleBetween(const glm::dmat3& from, const glm::dmat3& to) {
     const glm::dmat3 turn = to * glm::transpose(from);
     const glm::dvec3 skew(turn[1][2] - turn[2][1], turn[2][0] - turn[0][2], turn[0][1] - turn[1][0]);
-    return std::atan2(glm::length(skew), turn[0][0] + turn[1][1] + turn[2][2] - 1.0);  // exact for small angles too
+    return std::atan2(glm::length(skew), turn[0][0] + turn[1][1] + turn[2][2] - 1.0);  // accurate for small angles too
 }
 
 }  // namespace

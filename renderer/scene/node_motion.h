@@ -10,29 +10,29 @@
 
 namespace timeshade::gltf {
 
-/// All nodes at one instant.
+/// The transforms of all nodes at one instant.
 struct Pose {
     std::vector<glm::dmat4> worldFromNode;
-    std::vector<std::vector<double>> morphWeights;  ///< per node; empty where its mesh has no morph targets
+    std::vector<std::vector<double>> morphWeights;  ///< per node; empty if its mesh has no morph targets
 };
 
-/// The node hierarchy of a file and the clip that drives it. No clip: it rests.
+/// The node hierarchy of a file and the clip that animates it; at rest without a clip.
 class NodeMotion {
   public:
     NodeMotion(const Model& model, Clip clip, std::vector<std::string>& notes);
 
     const Clip& clip() const { return clip_; }
-    /// Whether the node's world transform, or its morph weights, can change at all.
+    /// Whether the node's world transform or its morph weights are animated.
     bool moves(int node) const { return moves_[static_cast<std::size_t>(node)]; }
     bool morphs(int node) const;
     const Pose& rest() const { return rest_; }
 
-    /// Clip time, not wrapped. Error where a transform overflows.
+    /// The pose at a clip time (not wrapped). Throws Error if a transform overflows.
     Pose at(double clipSeconds) const;
-    /// One node alone, for cameras and lights.
+    /// The transform of one node, for cameras and lights.
     glm::dmat4 worldFromNode(int node, double clipSeconds) const;
 
-    /// The largest turn, in degrees, of the given nodes along a path of instants.
+    /// The largest total rotation, in degrees, of any of the given nodes along a sequence of instants.
     double largestTurnDegrees(const std::vector<int>& nodes, const std::vector<double>& clipSeconds) const;
 
   private:
@@ -55,7 +55,7 @@ class NodeMotion {
     Pose rest_;
 };
 
-/// The rotation in a transform: its axes made orthonormal, right-handed. Identity where an axis has no length.
+/// The rotation of a transform: its axes made orthonormal and right-handed. Identity if an axis has length 0.
 glm::dmat3 rotationOf(const glm::dmat4& transform);
 
 }  // namespace timeshade::gltf

@@ -4,11 +4,11 @@ namespace timeshade {
 
 enum class ShutterPosition { Start, Centre, End };
 
-/// When the shutter is open, in Blender's words and units.
+/// When the shutter is open; terms and units as in Blender.
 struct Shutter {
     double framesPerSecond = 24.0;  ///< > 0
     double length = 0.5;            ///< frames during which the shutter is open, >= 0 (0.5 is 180 degrees)
-    ShutterPosition position = ShutterPosition::Start;  ///< where the frame's instant lies in the open interval
+    ShutterPosition position = ShutterPosition::Start;  ///< position of the frame's instant in the open interval
 
     /// Scene time, in seconds, of the opening (u = 0) and the closing (u = 1) of the given frame.
     double openSeconds(double frame) const { return (frame - offset()) / framesPerSecond; }

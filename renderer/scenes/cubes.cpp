@@ -14,7 +14,7 @@ constexpr double framesPerSecond = 24.0;
 constexpr double cubeSide = 0.4;
 constexpr double groundSide = 44.0;
 
-/// The block of air that cubes' centres stay in.
+/// The volume that contains the cubes' centres.
 const glm::dvec3 airLow(-9.0, 1.2, -9.0), airHigh(9.0, 10.6, 9.0);
 
 const glm::vec3 colours[] = {{0.82f, 0.33f, 0.22f}, {0.90f, 0.62f, 0.22f}, {0.86f, 0.82f, 0.72f},

@@ -4,9 +4,9 @@
 
 namespace timeshade {
 
-/// Many cubes, each flying and turning in its own way above a ground: the scene of Hong and Oh's measurements (2017,
-/// figures 8 to 12). They fly on wide circles, which within a shutter are all but straight, in a block of air that does
-/// not grow with their number; each cube's own way per frame is between half of the speed and all of it.
+/// Many cubes that fly and rotate independently above a ground, after the test scene of Hong and Oh 2017 (figures 8 to
+/// 12). They move on wide circles, which are nearly straight within a shutter, inside a volume that does not grow with
+/// their number. The displacement of a cube per frame is between half of the speed setting and all of it.
 class Cubes final : public SceneRecipe {
   public:
     const RecipeDescription& description() const override;

@@ -29,7 +29,7 @@ Shape tree() {
     return shape;
 }
 
-/// Round a small ellipse and back, looking at the same place: slow, so that temporal methods see every part of it.
+/// A slow closed path on a small ellipse, looking at a fixed point.
 CameraPose pathAt(double seconds, double speed) {
     const double angle = 2.0 * pi * seconds * framesPerSecond / frames;
     const double reach = speed * frames / (2.0 * pi);  // the speed of a point on a circle of this radius

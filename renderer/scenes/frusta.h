@@ -4,8 +4,8 @@
 
 namespace timeshade {
 
-/// Duelling frusta: a low light far away that faces the camera across a long plane, so that the near shadows, which
-/// are large in the picture, are small in the light's map. Nothing moves but the camera called "path".
+/// Duelling frusta: a low, distant light that faces the camera across a long plane, so that nearby shadows are large in
+/// the picture but small in the shadow map. Only the camera "path" moves.
 class Frusta final : public SceneRecipe {
   public:
     const RecipeDescription& description() const override;

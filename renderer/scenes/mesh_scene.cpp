@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/check.h"
+
 namespace timeshade {
 
 namespace {
@@ -38,6 +40,11 @@ std::shared_ptr<const MeshTopology> topologyOf(const std::vector<MeshInstance>& 
 
 MeshScene::MeshScene(SceneParts parts)
     : parts_(std::move(parts)), clock_(parts_.duration, true), topology_(topologyOf(parts_.instances)) {
+    CHECK(!parts_.materials.empty());
+    CHECK(!parts_.instances.empty());
+    CHECK(!parts_.cameras.empty());
+    CHECK(static_cast<bool>(parts_.light));
+    for (const MeshInstance& instance : parts_.instances) CHECK_LT(instance.material, parts_.materials.size());
     for (const auto& [name, pose] : parts_.cameras) cameras_.push_back({name});
 }
 
@@ -54,7 +61,7 @@ MotionMesh MeshScene::motionMesh(double openSeconds, double closeSeconds) const 
         place(*instance.shape, open, mesh.positionsOpen, mesh.normalsOpen);
         place(*instance.shape, close, mesh.positionsClose, mesh.normalsClose);
         if (!instance.motion) continue;
-        // In steps, because two ends alone cannot tell a whole turn from none.
+        // In steps, because the two ends alone cannot distinguish a full turn from none.
         constexpr int steps = 4;
         double turn = 0.0;
         glm::dmat3 before = open.axes;
@@ -63,7 +70,7 @@ MotionMesh MeshScene::motionMesh(double openSeconds, double closeSeconds) const 
             turn += turnBetween(before, now);
             before = now;
         }
-        // The arccosine of nearly one is rounded to some millionths of a degree.
+        // Near 1 the arccosine has an error of some 1e-6 degrees.
         if (turn > 1e-4) mesh.largestTurnDegrees = std::max(mesh.largestTurnDegrees, turn);
     }
     return mesh;

@@ -12,38 +12,37 @@
 
 namespace timeshade {
 
-/// Where a shape is: turned by the axes, then shifted.
+/// A rigid transform: p becomes axes * p + position.
 struct RigidPose {
     glm::dvec3 position{0.0};
     glm::dmat3 axes{1.0};  ///< orthonormal, right-handed
 };
 
-/// One shape in a scene. Time is in seconds from 0 to the scene's duration; at both ends the pose is the same.
+/// One shape in a scene. Time is in seconds from 0 to the scene's duration; the poses at both ends must be equal.
 struct MeshInstance {
     std::shared_ptr<const Shape> shape;
     std::uint32_t material = 0;
-    RigidPose pose;                                   ///< of an instance that stands still
-    std::function<RigidPose(double seconds)> motion;  ///< of one that moves; empty otherwise
+    RigidPose pose;                                   ///< of a static instance
+    std::function<RigidPose(double seconds)> motion;  ///< of a moving instance; empty otherwise
 };
 
-/// All that a computed scene consists of. Cameras and the light follow the rule of instances: the same at both ends.
+/// The parts of a computed scene. Cameras and the light, too, must be equal at both ends of the duration.
 struct SceneParts {
     std::string name;
-    double duration = 0.0;  ///< seconds after which everything repeats; 0 where nothing moves
+    double duration = 0.0;  ///< seconds after which everything repeats; 0 if nothing moves
     SceneDefaults defaults;
     std::vector<Material> materials;
     std::vector<MeshInstance> instances;
     std::vector<std::pair<std::string, std::function<CameraPose(double seconds)>>> cameras;
     std::function<LightPose(double seconds)> light;
-    Bounds bounds;  ///< what origins are fitted to; must hold everything at all times
+    Bounds bounds;  ///< must contain everything at all times
     std::vector<SceneParameter> parameters;
 };
 
-/// A scene of rigid shapes that move as functions of time, which it turns into triangles whose vertices move linearly
-/// within a shutter.
+/// A scene of rigid shapes that move as functions of time.
 class MeshScene final : public Scene {
   public:
-    /// There is at least one material, one instance and one camera, and a light.
+    /// `parts` must have at least one material, one instance and one camera, and a light (checked).
     explicit MeshScene(SceneParts parts);
 
     const std::string& name() const override { return parts_.name; }

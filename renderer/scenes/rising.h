@@ -4,8 +4,8 @@
 
 namespace timeshade {
 
-/// Two finely divided cubes that rise towards a light overhead: the scene of Hong and Oh's figure 9 (2019), whose
-/// triangles all change their distance from the light and none its place in the light's map for long.
+/// Two finely tessellated cubes that rise towards a light overhead, after Hong and Oh 2019 (figure 9). All triangles
+/// change their distance from the light and hardly move in the shadow map.
 class Rising final : public SceneRecipe {
   public:
     const RecipeDescription& description() const override;

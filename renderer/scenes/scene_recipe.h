@@ -10,12 +10,11 @@
 namespace timeshade {
 
 struct RecipeDescription {
-    std::string name;     ///< as on the command line; also what stands before the dot of its settings
-    std::string summary;  ///< one line: what is to be seen
+    std::string name;     ///< as on the command line; also the prefix of its settings
+    std::string summary;  ///< one line: what it shows
 };
 
-/// A scene that is computed from a few settings. Needs no file and no OpenGL. The same settings make the same scene,
-/// bit by bit.
+/// A scene that is computed from a few settings, without files or OpenGL. Equal settings make bitwise equal scenes.
 class SceneRecipe : public HasSettings {
   public:
     virtual const RecipeDescription& description() const = 0;
@@ -23,13 +22,13 @@ class SceneRecipe : public HasSettings {
     virtual std::unique_ptr<Scene> make() = 0;
 };
 
-/// All of them, in the order in which they are shown.
+/// All recipes, in the order in which they are shown.
 const std::vector<RecipeDescription>& recipeDescriptions();
 
-/// With its defaults; null where there is no such scene.
+/// The recipe of that name with its default settings; null if there is none.
 std::unique_ptr<SceneRecipe> makeRecipe(const std::string& name);
 
-/// The settings as the scene's parameters, for its reports.
+/// The settings as the scene's parameters, for reports.
 std::vector<SceneParameter> parametersOf(SceneRecipe& recipe);
 
 }  // namespace timeshade

@@ -4,15 +4,19 @@
 #include <cmath>
 #include <map>
 
+#include "core/check.h"
+
 namespace timeshade {
 
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// One grid of a box's side. Grid points are computed from whole numbers alone, so that two sides agree on their edge.
+/// Adds the grid of one side of a box. Grid points are computed from integers, so that two sides agree on their edge.
 void addSide(Shape& shape, const glm::dvec3& size, const glm::ivec3& cells, int axis, bool high) {
     const int across = (axis + 1) % 3, up = (axis + 2) % 3;
+    CHECK_GE(cells[across], 1);
+    CHECK_GE(cells[up], 1);
     const auto first = static_cast<std::uint32_t>(shape.positions.size());
     glm::vec3 normal(0.0f);
     normal[axis] = high ? 1.0f : -1.0f;
@@ -37,14 +41,14 @@ void addSide(Shape& shape, const glm::dvec3& size, const glm::ivec3& cells, int 
     }
 }
 
-/// Numbers the grid points of the icosahedron's sides, those on shared edges once.
+/// Numbers the grid points of the icosahedron's sides; points on shared edges get one number.
 class GeodesicGrid {
   public:
     explicit GeodesicGrid(int frequency) : frequency_(frequency) {}
 
-    /// The point with these shares (which sum to the frequency) of three corners.
+    /// The point with these barycentric coordinates times frequency in the side's three corners.
     std::uint32_t point(const std::array<glm::dvec3, 12>& corners, const glm::ivec3& side, const glm::ivec3& shares) {
-        std::map<int, int> key;  // corner -> share: the same from both sides of an edge
+        std::map<int, int> key;  // corner -> share: equal for both sides of an edge
         for (int i = 0; i < 3; ++i)
             if (shares[i] > 0) key[side[i]] = shares[i];
         const auto [found, isNew] = numbers_.try_emplace(key, static_cast<std::uint32_t>(shape.positions.size()));
@@ -88,6 +92,7 @@ Shape box(const glm::dvec3& size, const glm::ivec3& cells) {
 }
 
 Shape geodesicSphere(int frequency) {
+    CHECK_GE(frequency, 1);
     const double g = 0.5 * (1.0 + std::sqrt(5.0));
     const std::array<glm::dvec3, 12> corners{{{-1, g, 0},
                                               {1, g, 0},
@@ -121,12 +126,17 @@ Shape geodesicSphere(int frequency) {
 }
 
 Shape stretched(Shape shape, const glm::dvec3& factors) {
+    CHECK(glm::all(glm::greaterThan(factors, glm::dvec3(0.0))));
     for (glm::dvec3& position : shape.positions) position *= factors;
     for (glm::vec3& normal : shape.normals) normal = glm::normalize(normal / glm::vec3(factors));
     return shape;
 }
 
 Shape turned(const std::vector<std::pair<double, double>>& profile, int sides) {
+    CHECK_GE(profile.size(), 3);
+    CHECK_GE(sides, 3);
+    CHECK_EQ(profile.front().first, 0.0);
+    CHECK_EQ(profile.back().first, 0.0);
     Shape shape;
     const auto ring = [&](double radius, double height, const glm::dvec2& slope) {
         const auto first = static_cast<std::uint32_t>(shape.positions.size());
@@ -140,7 +150,7 @@ Shape turned(const std::vector<std::pair<double, double>>& profile, int sides) {
     for (std::size_t band = 0; band + 1 < profile.size(); ++band) {
         const auto [lowRadius, low] = profile[band];
         const auto [highRadius, high] = profile[band + 1];
-        const glm::dvec2 slope(high - low, lowRadius - highRadius);  // outwards, and upwards where it narrows
+        const glm::dvec2 slope(high - low, lowRadius - highRadius);  // the profile's normal
         const std::uint32_t below = ring(lowRadius, low, slope), above = ring(highRadius, high, slope);
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(sides); ++i) {
             const std::uint32_t next = (i + 1) % static_cast<std::uint32_t>(sides);

@@ -8,8 +8,8 @@
 
 namespace timeshade {
 
-/// Triangles about a point of their own, counter-clockwise seen from outside. Vertices that lie on one another lie
-/// there exactly, so that closed shapes stay closed wherever they are moved.
+/// Triangles in object space, counter-clockwise seen from outside. Vertices that coincide are bitwise equal, so that
+/// closed shapes stay closed under any transform.
 struct Shape {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;  ///< unit, one per vertex
@@ -18,22 +18,24 @@ struct Shape {
     void add(const Shape& other);
 };
 
-/// A rectangle in the plane y = 0 about the origin, facing up, of cells x cells squares: 2 * cells^2 triangles.
+/// A rectangle in the plane y = 0, centred on the origin, facing up, divided into cells x cells: 2 * cells^2 triangles.
+/// cells >= 1.
 Shape plane(double width, double depth, int cells);
 
-/// A box about the origin with flat sides, closed, its sides divided into a grid that has `cells` cells along each
-/// axis: 4 (xy + yz + zx) triangles.
+/// A closed box centred on the origin, with flat normals, its sides divided into `cells` cells along each axis (>= 1):
+/// 4 (xy + yz + zx) triangles.
 Shape box(const glm::dvec3& size, const glm::ivec3& cells);
 
-/// An icosahedron whose sides are divided into frequency^2 triangles each, blown up to the unit sphere: closed, convex,
-/// 20 frequency^2 triangles of nearly equal size.
+/// An icosahedron whose sides are divided into frequency^2 triangles each and projected onto the unit sphere: closed,
+/// convex, 20 frequency^2 triangles of nearly equal size. frequency >= 1.
 Shape geodesicSphere(int frequency);
 
-/// The shape stretched along its axes. factors > 0.
+/// The shape scaled along its axes. factors > 0.
 Shape stretched(Shape shape, const glm::dvec3& factors);
 
-/// A profile of (radius, height), from below to above, turned about the y axis: closed, with flat bands round the axis.
-/// The first and the last radius are 0, the others are not; at least three points and three sides.
+/// A surface of revolution about the y axis: the profile is a list of (radius, height) from bottom to top. Closed;
+/// bands have flat normals along the profile. The first and the last radius must be 0 and the others positive; at least
+/// three points and three sides (checked).
 Shape turned(const std::vector<std::pair<double, double>>& profile, int sides);
 
 }  // namespace timeshade

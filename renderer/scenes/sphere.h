@@ -4,8 +4,8 @@
 
 namespace timeshade {
 
-/// One closed convex stone of many triangles that flies round and turns under the light. No point of it that faces the
-/// light is shadowed by the stone itself, so that every shadow on its lit side is a mistake.
+/// A closed convex body of many triangles that moves on a circle and rotates under the light. It casts no shadow on its
+/// own lit side, so every shadow there is an error.
 class Sphere final : public SceneRecipe {
   public:
     const RecipeDescription& description() const override;

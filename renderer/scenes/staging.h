@@ -8,37 +8,37 @@
 
 namespace timeshade {
 
-/// What the computed scenes have in common: matt surfaces, a ground, a spot light that stands still, and motion in
-/// whole rounds, so that every scene repeats without a jump.
+/// Parts that the computed scenes share: diffuse materials, a ground, a static spot light, and motion in whole rounds,
+/// so that every scene loops without a jump.
 
 constexpr double pi = 3.14159265358979323846;
 
 Material matt(std::string name, const glm::vec3& colour, float roughness = 0.85f);
 
-/// A square of ground in the plane y = 0 about the origin.
+/// A square of ground in the plane y = 0, centred on the origin.
 MeshInstance ground(double side, std::uint32_t material);
 
-/// Does not move. Cone angles in radians from the axis.
+/// A static spot light. Cone angles in radians from the axis.
 std::function<LightPose(double)> staticSpot(const glm::dvec3& position, const glm::dvec3& target, double innerCone,
                                             double outerCone);
 
 std::function<CameraPose(double)> staticCamera(const glm::dvec3& eye, const glm::dvec3& target,
                                                double verticalFieldOfView);
 
-/// The turn by an angle (radians) about a unit vector.
+/// The rotation by an angle (radians) about a unit vector.
 glm::dmat3 turnAbout(const glm::dvec3& axis, double angle);
 
-/// A steady way round a circle: `rounds` times in a scene's duration.
+/// Uniform motion on a circle, `rounds` times in a scene's duration.
 struct Circle {
-    int rounds = 0;  ///< 0: stands still at the centre
+    int rounds = 0;  ///< 0: static, at the centre
     double radius = 0.0;
 
-    /// The circle on which the chord of one frame has this length, its radius as near to the wanted one as a whole
-    /// number of rounds in `frames` allows. A chord, because that is the way of a vertex in a shutter of one frame.
+    /// The circle on which the chord of one frame has this length, with a radius as close to the wanted one as a whole
+    /// number of rounds in `frames` allows. The chord is the path of a vertex in a shutter of one frame.
     static Circle withChord(double chord, double wantedRadius, int frames);
 };
 
-/// Random numbers that depend on nothing but their place: which scene, which thing, which property.
+/// Random numbers that are functions of the seed, the object and the property only.
 class Dice {
   public:
     Dice(std::uint32_t seed, std::uint32_t thing) : seed_(seed), thing_(thing) {}

@@ -26,7 +26,7 @@ PHRASES = [
     r"\brul(?:ed|ings?)\b(?! out)", r"\bsequels?\b", r"bending triangles?", r"(?:two|odd|no|of) visits",
     r"nothing (?:lies |is )?behind", r"crossed in pairs", r"enters? (?:\w+ ){0,4}leaves? (?:it )?again",
     r"technique's clothes", r"figures of (?:a|the|each|every) technique", r"technique's figures",
-    r"\bmiddles?\b (?:of (?:a|the|its|each|every) )?texels?", r"texels?'s? middles?", r"middle of the shutter",
+    r"\bmiddles?\b (?:of (?:a|the|its|each|every) )?texels?", r"texels?'s? middles?",
     r"\b(?:MOST|LARGEST)_[A-Z]", r"\bodd (?:lists?|counts?)\b",
     r"shadow answers?", r"wrong answers?", r"shadow questions?", r"(?:pixels?|samples?|texels?) (?:is|are) asked",
     r"asks? (?:the )?(?:technique|oracle|truth|map|triangle)s?\b", r"the truth (?:does not )?asks?", r"nobody is asked",
