@@ -391,8 +391,16 @@ Options parseArguments(const std::vector<std::string>& given) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
         ->required();
     verify->add_option("--dump", options.dump, "folder for the data itself: triangles.csv, light.csv, samples.csv");
-    verify->add_option("--max-ppm", options.maxPpm, "exit with 3 if more samples in a million disagree")
+    verify
+        ->add_option("--max-ppm", options.maxPpm,
+                     "exit with 3 if more samples in a million disagree; for techniques that look at an instant at a "
+                     "point")
         ->check(CLI::Range(0.0, 1e6));
+    verify
+        ->add_option("--reference-rays", options.referenceRays,
+                     "rays a pixel of the converged visibility that shadow errors are measured against (default: 1024, "
+                     "kept between runs; 0: no shadow error)")
+        ->check(CLI::Range(0, 1 << 20));
     addFrameOptions(*verify, options, size, settings, viewName);
 
     CLI::App* measure = app.add_subcommand("measure", "accuracy against time: tables and charts into a folder");

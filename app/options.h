@@ -61,6 +61,7 @@ struct Options {
     std::string json;                             ///< path for a machine-readable report
     std::string dump;                             ///< folder for verify's data
     std::optional<double> maxPpm;                 ///< verify: exit code 3 above it
+    int referenceRays = 1024;                     ///< verify: rays a pixel of the shadow error's reference; 0 for none
     std::vector<std::string> measuredScenes;      ///< measure: empty for all built-in ones
     std::vector<std::string> measuredTechniques;  ///< measure: names or TechniqueVariants; empty for all, and Embree
     std::vector<int> measuredSampleCounts{1, 2, 4, 8, 16};  ///< measure: samples per pixel

@@ -20,6 +20,12 @@ namespace timeshade {
 
 namespace {
 
+std::shared_ptr<const ReferenceVisibility> converged(const FramePlan& plan, int rays) {
+    const Progress progress(plan.request.height);
+    const ReferenceCache cache;
+    return referenceVisibility(plan, rays, cache, [&](int rows, int) { progress.update(rows); });
+}
+
 std::string asJson(const Verification& v, const FrameRenderer& renderer, Technique& technique,
                    const std::string& sceneName, const Scene& scene, const std::string& backEnd) {
     nlohmann::ordered_json json =
@@ -29,18 +35,54 @@ std::string asJson(const Verification& v, const FrameRenderer& renderer, Techniq
     return json.dump(2) + "\n";
 }
 
+std::string inWords(const Footprint& footprint) {
+    static constexpr const char* times[] = {"an instant", "a stratum of the shutter", "the whole shutter"};
+    std::string text = times[static_cast<int>(footprint.time)];
+    text += footprint.space == Footprint::Space::Point ? " at a point" : " and what the pixel sees of the surface";
+    if (footprint.filterTexels > 0.0) text += fmt::format(", blurred over {:g} texels", footprint.filterTexels);
+    return text;
+}
+
+std::string inWords(const ErrorSummary& e) {
+    return fmt::format("{:>10.6f} RMS (± {:.6f}), {:.6f} in the mean, {:.4f} at 99.9 %", e.rms, e.standardError, e.mean,
+                       e.p999);
+}
+
+std::string errorsInWords(const Verification& v) {
+    std::string text;
+    if (const std::optional<ShadowError>& s = v.shadowError)
+        text += fmt::format("  shadow error     {}; {} pixels, {} reference rays each\n", inWords(s->error),
+                            s->error.count, s->rays);
+    const FootprintJudge::Result& f = v.footprintError;
+    if (f.error.count > 0)
+        text += fmt::format("  footprint error  {}; {} samples{}\n", inWords(f.error), f.error.count,
+                            f.rays > 0 ? fmt::format(", {} rays each", f.rays) : "");
+    return text + fmt::format("  footprint        {}\n", inWords(v.footprint));
+}
+
 std::string asText(const Verification& v, const std::string& scene, const std::string& technique) {
-    std::string text = fmt::format("{} with {}\n", scene, technique);
-    text += fmt::format("  tested        {:>10} of {} camera samples, {} truly in shadow\n", v.tested, v.samples,
+    std::string text = fmt::format("{} with {}\n{}", scene, technique, errorsInWords(v));
+    text += fmt::format("  tested           {:>10} of {} camera samples, {} truly in shadow\n", v.tested, v.samples,
                         v.shadowed);
-    text += fmt::format("  disagree      {:>10} ({:.1f} ppm): {} false shadow, {} false lit, {} of them marginal\n",
-                        v.disagree(), v.ppm(), v.falseShadow, v.falseLit, v.marginal);
-    text += fmt::format("  |lit - truth| {:>10.6f} in the mean\n", v.meanAbsoluteError);
-    text += fmt::format("  primaries     {:>10} see another triangle ({:.1f} ppm), and {} within 1e-6 of an edge\n",
+    if (v.footprint.isBinary())
+        text += fmt::format("  disagree         {:>10} ({:.1f} ppm): {} false shadow, {} false lit, {} marginal\n",
+                            v.disagree(), v.ppm(), v.falseShadow, v.falseLit, v.marginal);
+    text += fmt::format("  |lit - truth|    {:>10.6f} in the mean, at each sample's own instant and point\n",
+                        v.meanAbsoluteError);
+    text += fmt::format("  primaries        {:>10} see another triangle ({:.1f} ppm), and {} within 1e-6 of an edge\n",
                         v.primaryDisagree, v.primaryPpm(), v.primaryMarginal);
     text +=
-        fmt::format("  ruled         {:>10} in double precision, {} against Embree\n", v.resolvedExactly, v.corrected);
+        fmt::format("  resolved exactly {:>10} samples; in {} Embree was corrected\n", v.resolvedExactly, v.corrected);
     return text;
+}
+
+void requireBinary(const Technique& technique) {
+    const Footprint footprint = technique.footprint();
+    if (!footprint.isBinary())
+        throw UsageError(
+            fmt::format("--max-ppm: {} averages over {}, so its samples are shares of light and not right "
+                        "or wrong; expected a technique and settings that look at an instant at a point",
+                        technique.description().name, inWords(footprint)));
 }
 
 }  // namespace
@@ -54,6 +96,7 @@ int runVerify(const Options& options) {
     FrameRenderer renderer;
     renderer.setChecked(options.debugGl);
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
+    if (options.maxPpm) requireBinary(*technique);
     FramePlanner planner(*scene);
     const FramePlan plan = planner.plan(request);
     if (options.explain) fmt::print("{}", explain(plan, *technique, renderer.device()));
@@ -64,6 +107,7 @@ int runVerify(const Options& options) {
         dump.emplace(options.dump, plan);
         how.visit = [&](const VerifiedSample& sample) { dump->add(sample); };
     }
+    if (options.referenceRays > 0) how.reference = converged(plan, options.referenceRays);
     Verification verification;
     {
         const Progress progress(technique->renders());

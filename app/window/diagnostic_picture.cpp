@@ -71,6 +71,7 @@ void DiagnosticPicture::begin(Session& session, std::vector<double> key, const P
     disagreement_ = std::make_unique<DisagreementView>(small.width, small.height);
     VerificationOptions options;
     options.checkPrimaries = false;
+    options.footprint.samples = 0;
     options.visit = [view = disagreement_.get()](const VerifiedSample& sample) { view->add(sample); };
     verification_ = std::make_unique<FrameVerification>(*renderer_, *plan_, *technique_, options);
 }

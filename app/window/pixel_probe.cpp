@@ -139,7 +139,7 @@ void PixelProbe::traceTruth(const Session& session) {
         const std::uint32_t id = ids[place + static_cast<std::size_t>(k) * layer];
         const SampleIndex index{static_cast<std::uint32_t>(x_), static_cast<std::uint32_t>(request.height - 1 - y_),
                                 static_cast<std::uint32_t>(k)};
-        const OracleAnswer answer = id == NO_TRIANGLE ? OracleAnswer{} : oracle.rule(plan, index, id);
+        const OracleAnswer answer = id == NO_TRIANGLE ? OracleAnswer{} : oracle.resolve(plan, index, id);
         truth.lit.push_back(answer.hit && answer.tested ? (answer.lit ? 1.0f : 0.0f) : -1.0f);
     }
     // Where the truth does not ask, nobody is asked.

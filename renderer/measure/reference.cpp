@@ -6,33 +6,16 @@
 
 #include <fmt/format.h>
 
-#include "core/sha256.h"
 #include "gl/shader_source.h"
+#include "measure/reference_digest.h"
 #include "measure/reference_technique.h"
 
 namespace timeshade {
 
 namespace {
 
-/// Collects bytes and names them by their hash.
-class Digest {
-  public:
-    void bytes(const void* data, std::size_t count) {
-        const auto* byte = static_cast<const std::uint8_t*>(data);
-        bytes_.insert(bytes_.end(), byte, byte + count);
-    }
-    template <typename T>
-    void values(const std::vector<T>& vector) {
-        bytes(vector.data(), vector.size() * sizeof(T));
-    }
-    std::string text() const { return toHex(sha256(bytes_)); }
-
-  private:
-    std::vector<std::uint8_t> bytes_;
-};
-
 std::string sceneDigest(const FramePlan& plan) {
-    Digest digest;
+    ReferenceDigest digest;
     digest.values(plan.texels->positions);
     digest.values(plan.texels->shading);
     for (const Material& material : *plan.materials) {
@@ -49,7 +32,7 @@ std::string sceneDigest(const FramePlan& plan) {
 
 /// Shading, sampling and receivers: a change in any of these files changes the picture.
 std::string shaderDigest() {
-    Digest digest;
+    ReferenceDigest digest;
     for (const char* file : {"passes/shade.frag", "passes/stochastic.frag"}) {
         const std::string text = gl::readShader(file, {}).text;
         digest.bytes(text.data(), text.size());
@@ -80,7 +63,7 @@ std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options)
     block.mapSize = 0;
     block.timeScale = 0.0f;
     block.lightCone.w = 0.0f;  // the width of a map texel
-    Digest frame;
+    ReferenceDigest frame;
     frame.bytes(&block, sizeof block);
     frame.bytes(&plan.camera.block, sizeof plan.camera.block);
     return fmt::format("reference 1; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}",

@@ -8,11 +8,14 @@ namespace timeshade {
 
 namespace {
 
+std::size_t pixelCount(const FramePlan& plan) { return std::size_t{plan.block.imageSize.x} * plan.block.imageSize.y; }
+
 /// Walks the samples of one render, whose buffers are in the renderer.
 class RenderComparison {
   public:
-    RenderComparison(const Oracle& oracle, const FramePlan& plan, const VerificationOptions& options, Verification& sum)
-        : oracle_(oracle), plan_(plan), options_(options), sum_(sum) {}
+    RenderComparison(const Oracle& oracle, const FramePlan& plan, const VerificationOptions& options, Verification& sum,
+                     FootprintJudge& judge, PixelMeans& pixels)
+        : oracle_(oracle), plan_(plan), options_(options), sum_(sum), judge_(judge), pixels_(pixels) {}
 
     void compareLit(const std::vector<std::uint32_t>& triangles, const std::vector<float>& lit, int stratumShown) {
         const std::vector<OracleAnswer> answers = oracle_.answer(plan_, triangles);
@@ -21,7 +24,11 @@ class RenderComparison {
             if (!answers[i].hit) continue;
             const SampleIndex index = indexOf(i);
             const OracleAnswer truth = answers[i].tested ? decide(answers[i], index, triangles[i], lit[i]) : answers[i];
-            if (truth.tested) count(truth, lit[i]);
+            if (truth.tested) {
+                count(truth, lit[i]);
+                judge_.add(index, triangles[i], truth, lit[i]);
+                pixels_.add(i % pixelCount(plan_), static_cast<double>(lit[i]));
+            }
             if (options_.visit) {
                 const SampleIndex shown{index.x, index.y, index.stratum + static_cast<std::uint32_t>(stratumShown)};
                 options_.visit({shown, triangles[i], truth, lit[i]});
@@ -52,7 +59,7 @@ class RenderComparison {
         const bool agrees = (lit >= 0.5f) == embree.lit;
         const std::uint32_t lot = shared::hashWords({index.x, index.y, index.stratum}).x;
         if (agrees && lot % options_.resolvedShare != 0) return embree;
-        const OracleAnswer resolved = oracle_.rule(plan_, index, triangle);
+        const OracleAnswer resolved = oracle_.resolve(plan_, index, triangle);
         ++sum_.resolvedExactly;
         if (resolved.lit != embree.lit) ++sum_.corrected;
         return resolved;
@@ -72,13 +79,21 @@ class RenderComparison {
     const FramePlan& plan_;
     const VerificationOptions& options_;
     Verification& sum_;
+    FootprintJudge& judge_;
+    PixelMeans& pixels_;
 };
 
 }  // namespace
 
 FrameVerification::FrameVerification(FrameRenderer& renderer, FramePlan plan, Technique& technique,
                                      VerificationOptions options)
-    : renderer_(renderer), plan_(std::move(plan)), options_(std::move(options)), oracle_(plan_) {
+    : renderer_(renderer),
+      plan_(std::move(plan)),
+      options_(std::move(options)),
+      oracle_(plan_),
+      judge_(oracle_, plan_, technique.renders(), technique.footprint(), options_.footprint),
+      pixels_(pixelCount(plan_)) {
+    sum_.footprint = technique.footprint();
     renderer_.begin(plan_, technique, View::Visibility);
 }
 
@@ -87,8 +102,10 @@ bool FrameVerification::step() {
     renderer_.step();
     const FramePlan drawn = renders() > 1 ? planAtInstant(plan_, done_, renders()) : plan_;
     const std::vector<std::uint32_t> triangles = renderer_.readSampleIds();
-    RenderComparison comparison(oracle_, drawn, options_, sum_);
+    RenderComparison comparison(oracle_, drawn, options_, sum_, judge_, pixels_);
+    judge_.beginRender(drawn, done_);
     comparison.compareLit(triangles, renderer_.readVisibility(), done_);
+    judge_.finishRender();
     if (options_.checkPrimaries) comparison.comparePrimaries(triangles);
     ++done_;
     if (options_.progress) options_.progress(done_, renders());
@@ -98,6 +115,8 @@ bool FrameVerification::step() {
 Verification FrameVerification::result() const {
     Verification verification = sum_;
     if (sum_.tested > 0) verification.meanAbsoluteError /= static_cast<double>(sum_.tested);
+    verification.footprintError = judge_.result();
+    if (options_.reference && done_ == renders()) verification.shadowError = pixels_.against(*options_.reference);
     return verification;
 }
 

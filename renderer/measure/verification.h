@@ -3,15 +3,20 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "frame/frame_renderer.h"
+#include "measure/footprint_judge.h"
+#include "measure/shadow_error.h"
 #include "oracle/oracle.h"
 
 namespace timeshade {
 
-/// How a technique's answers for the camera samples of one frame compare with the oracle's.
+/// How a technique's lit values for the camera samples of one frame compare with the oracle's. Counts take a value for
+/// lit from 1/2 on, and judge it at the sample's own instant and point: they say something of techniques whose
+/// footprint is binary. The two errors say something of all.
 struct Verification {
     std::uint64_t samples = 0;          ///< camera samples of the frame
     std::uint64_t tested = 0;           ///< of those: see a surface that faces the light inside its cone
@@ -22,10 +27,14 @@ struct Verification {
     std::uint64_t resolvedExactly = 0;  ///< decided in double precision: all disagreements, a share of the rest
     std::uint64_t corrected = 0;        ///< of those: Embree was wrong
     std::uint64_t primaryTested = 0;    ///< camera samples whose triangle was compared
-    std::uint64_t primaryDisagree = 0;  ///< the sample pass saw another triangle than the oracle's ruling
+    std::uint64_t primaryDisagree = 0;  ///< the sample pass saw another triangle than the oracle, exactly resolved
     std::uint64_t primaryMarginal =
         0;                           ///< differences within 1e-6 of an edge or of equal depth; not in primaryDisagree
-    double meanAbsoluteError = 0.0;  ///< mean over the tested of |lit - truth|; tells more where lit is fractional
+    double meanAbsoluteError = 0.0;  ///< mean over the tested of |lit - truth at the sample's own instant and point|
+
+    Footprint footprint;                     ///< of the technique, with its settings as they were
+    FootprintJudge::Result footprintError;   ///< nothing counted where it was not asked for
+    std::optional<ShadowError> shadowError;  ///< where a reference was given, once all renders have been compared
 
     std::uint64_t disagree() const { return falseShadow + falseLit; }
     double ppm() const {
@@ -42,13 +51,18 @@ struct VerifiedSample {
     SampleIndex index;
     std::uint32_t triangle = NO_TRIANGLE;
     OracleAnswer truth;
-    float lit = 1.0f;  ///< the technique's answer
+    float lit = 1.0f;  ///< the technique's value
 };
 
 struct VerificationOptions {
-    /// One agreeing sample in so many is ruled in double precision too, chosen by a hash of its place.
+    /// One agreeing sample in so many is resolved exactly too, chosen by a hash of its place.
     std::uint32_t resolvedShare = 64;
     bool checkPrimaries = true;
+    /// What the shadow error is measured against: the converged visibility of the same frame. None: no shadow error.
+    std::shared_ptr<const ReferenceVisibility> reference;
+    /// How many samples the footprint error is measured on, and how well, where its truth is not exact. No samples: no
+    /// such error then.
+    FootprintJudge::Options footprint;
     /// Called with every sample that sees something, in order, if set.
     std::function<void(const VerifiedSample&)> visit;
     /// Called after each render with how many of how many are done, if set.
@@ -56,7 +70,7 @@ struct VerificationOptions {
 };
 
 /// Draws the frame and compares every camera sample of it: `lit` with the oracle's truth, and the triangle seen with
-/// the oracle's primary ray. Wherever technique and Embree disagree, the double-precision ruling decides. One render a
+/// the oracle's primary ray. Wherever technique and Embree disagree, the sample is resolved exactly. One render a
 /// step, so that a window stays alive; nobody else may draw with this renderer in between.
 class FrameVerification {
   public:
@@ -75,6 +89,8 @@ class FrameVerification {
     VerificationOptions options_;
     Oracle oracle_;
     Verification sum_;
+    FootprintJudge judge_;
+    PixelMeans pixels_;
     int done_ = 0;
 };
 

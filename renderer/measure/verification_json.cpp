@@ -1,25 +1,108 @@
 #include "measure/verification_json.h"
 
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
 namespace timeshade {
 
+namespace {
+
+const char* nameOf(Footprint::Time time) {
+    switch (time) {
+    case Footprint::Time::Instant: return "instant";
+    case Footprint::Time::Stratum: return "stratum";
+    case Footprint::Time::Shutter: break;
+    }
+    return "shutter";
+}
+
+const char* nameOf(Footprint::Space space) { return space == Footprint::Space::Point ? "point" : "pixel_surface"; }
+
+nlohmann::ordered_json asJson(const Footprint& footprint) {
+    return {{"time", nameOf(footprint.time)},
+            {"space", nameOf(footprint.space)},
+            {"filter_texels", footprint.filterTexels}};
+}
+
+Footprint footprintOf(const nlohmann::ordered_json& json) {
+    Footprint footprint;
+    for (const auto time : {Footprint::Time::Instant, Footprint::Time::Stratum, Footprint::Time::Shutter})
+        if (json.at("time") == nameOf(time)) footprint.time = time;
+    for (const auto space : {Footprint::Space::Point, Footprint::Space::PixelSurface})
+        if (json.at("space") == nameOf(space)) footprint.space = space;
+    footprint.filterTexels = json.at("filter_texels");
+    return footprint;
+}
+
+nlohmann::ordered_json asJson(const ErrorSummary& e) {
+    return {{"mean", e.mean},
+            {"rms", e.rms},
+            {"p999", e.p999},
+            {"standard_error", e.standardError},
+            {"mean_square", e.meanSquare},
+            {"mean_square_standard_error", e.meanSquareDeviation}};
+}
+
+ErrorSummary errorOf(const nlohmann::ordered_json& json, std::uint64_t count) {
+    const auto number = [&](const char* key) {  // what is not a number has been written as null
+        return json.at(key).is_null() ? std::numeric_limits<double>::quiet_NaN() : json.at(key).get<double>();
+    };
+    return {count,
+            number("mean"),
+            number("rms"),
+            number("p999"),
+            number("standard_error"),
+            number("mean_square"),
+            number("mean_square_standard_error")};
+}
+
+void appendErrors(const Verification& v, nlohmann::ordered_json& json) {
+    json["footprint"] = asJson(v.footprint);
+    if (v.footprintError.error.count > 0) {
+        json["footprint_error"] = asJson(v.footprintError.error);
+        json["footprint_samples"] = v.footprintError.error.count;
+        json["footprint_rays"] = v.footprintError.rays;
+    }
+    if (!v.shadowError) return;
+    json["shadow_error"] = asJson(v.shadowError->error);
+    json["pixels"] = v.shadowError->error.count;
+    json["pixels_without_samples"] = v.shadowError->pixelsWithoutSamples;
+    json["pixels_without_reference"] = v.shadowError->pixelsWithoutReference;
+    json["reference_rays"] = v.shadowError->rays;
+}
+
+void readErrors(const nlohmann::ordered_json& json, Verification& v) {
+    if (json.contains("footprint")) v.footprint = footprintOf(json.at("footprint"));
+    if (json.contains("footprint_error"))
+        v.footprintError = {errorOf(json.at("footprint_error"), json.at("footprint_samples")),
+                            json.at("footprint_rays")};
+    if (json.contains("shadow_error"))
+        v.shadowError = {errorOf(json.at("shadow_error"), json.at("pixels")), json.at("pixels_without_samples"),
+                         json.at("pixels_without_reference"), json.at("reference_rays")};
+}
+
+}  // namespace
+
 nlohmann::ordered_json asJson(const Verification& v) {
-    return {{"samples", v.samples},
-            {"tested", v.tested},
-            {"shadowed", v.shadowed},
-            {"disagree", v.disagree()},
-            {"false_shadow", v.falseShadow},
-            {"false_lit", v.falseLit},
-            {"marginal", v.marginal},
-            {"ppm", v.ppm()},
-            {"mean_absolute_error", v.meanAbsoluteError},
-            {"primary_tested", v.primaryTested},
-            {"primary_disagree", v.primaryDisagree},
-            {"primary_marginal", v.primaryMarginal},
-            {"primary_ppm", v.primaryPpm()},
-            {"ruled", v.resolvedExactly},
-            {"overruled", v.corrected}};
+    nlohmann::ordered_json json{{"samples", v.samples},
+                                {"tested", v.tested},
+                                {"shadowed", v.shadowed},
+                                {"disagree", v.disagree()},
+                                {"false_shadow", v.falseShadow},
+                                {"false_lit", v.falseLit},
+                                {"marginal", v.marginal},
+                                {"ppm", nullptr},
+                                {"mean_absolute_error", v.meanAbsoluteError},
+                                {"primary_tested", v.primaryTested},
+                                {"primary_disagree", v.primaryDisagree},
+                                {"primary_marginal", v.primaryMarginal},
+                                {"primary_ppm", v.primaryPpm()},
+                                {"resolved_exactly", v.resolvedExactly},
+                                {"corrected", v.corrected}};
+    if (v.footprint.isBinary()) json["ppm"] = v.ppm();
+    appendErrors(v, json);
+    return json;
 }
 
 Verification verificationOf(const nlohmann::ordered_json& json) {
@@ -34,8 +117,10 @@ Verification verificationOf(const nlohmann::ordered_json& json) {
     v.primaryTested = json.at("primary_tested");
     v.primaryDisagree = json.at("primary_disagree");
     v.primaryMarginal = json.at("primary_marginal");
-    v.resolvedExactly = json.at("ruled");
-    v.corrected = json.at("overruled");
+    // Journals of earlier versions have other names for these, and no errors.
+    v.resolvedExactly = json.contains("ruled") ? json.at("ruled") : json.at("resolved_exactly");
+    v.corrected = json.contains("overruled") ? json.at("overruled") : json.at("corrected");
+    readErrors(json, v);
     return v;
 }
 

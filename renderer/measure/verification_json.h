@@ -6,7 +6,8 @@
 
 namespace timeshade {
 
-/// The numbers of a comparison, under the names that `verify --json` and the journal of `measure` share.
+/// The numbers of a comparison, under the names that `verify --json` and the journal of `measure` share. `ppm` is null
+/// where the technique's footprint is not binary; the two errors are there where they were measured.
 nlohmann::ordered_json asJson(const Verification& verification);
 /// What asJson has written; what follows from the rest (ppm) is not read. Throws nlohmann's exceptions where a number
 /// is missing.

@@ -31,7 +31,11 @@ CameraRay cameraRay(const FramePlan& plan, SampleIndex sample) {
     const glm::uvec2 pixel(sample.x, sample.y);
     const glm::vec3 pattern = shared::samplePattern(pixel, sample.stratum, plan.block.seed, SALT_CAMERA);
     const float u = shared::sampleTime(plan.block.timeBase, plan.block.timeScale, sample.stratum, pattern.z);
-    const glm::dvec2 position((glm::vec2(pixel) + glm::vec2(pattern)) / plan.camera.block.size);
+    return cameraRayThrough(plan, glm::vec2(pixel) + glm::vec2(pattern), u);
+}
+
+CameraRay cameraRayThrough(const FramePlan& plan, glm::vec2 place, float u) {
+    const glm::dvec2 position(place / plan.camera.block.size);
     const ViewEnd &open = plan.camera.open, &close = plan.camera.close;
     CameraRay ray;
     ray.time = static_cast<double>(u);
@@ -49,8 +53,12 @@ glm::dvec3 lightEnd(const FramePlan& plan, const glm::dvec3& position, double u)
 
 Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, SampleIndex sample,
                     std::uint32_t triangle) {
+    return receiverOf(plan, triangles, cameraRay(plan, sample), triangle);
+}
+
+Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, const CameraRay& ray,
+                    std::uint32_t triangle) {
     Receiver receiver;
-    const CameraRay ray = cameraRay(plan, sample);
     receiver.answer.time = static_cast<float>(ray.time);
     if (triangle >= triangles.count()) return receiver;
     glm::dvec3 v[3];
@@ -67,6 +75,32 @@ Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, Sam
     receiver.answer.position = ray.eye + ray.direction * (glm::dot(v[0] - ray.eye, normal) / approach);
     if (approach > 0.0 && triangles.doubleSided(triangle)) normal = -normal;
     receiver.light = lightEnd(plan, receiver.answer.position, ray.time);
+    testLight(plan, normal, receiver);
+    return receiver;
+}
+
+glm::dvec2 barycentricsOf(const MovingTriangles& triangles, std::uint32_t triangle, const glm::dvec3& position,
+                          double u) {
+    glm::dvec3 v[3];
+    triangles.at(triangle, u, v);
+    const glm::dvec3 a = v[1] - v[0], b = v[2] - v[0], p = position - v[0], normal = glm::cross(a, b);
+    return glm::dvec2(glm::dot(glm::cross(p, b), normal), glm::dot(glm::cross(a, p), normal)) /
+           glm::dot(normal, normal);
+}
+
+Receiver receiverOnTriangle(const FramePlan& plan, const MovingTriangles& triangles, std::uint32_t triangle,
+                            glm::dvec2 barycentrics, float u) {
+    Receiver receiver;
+    receiver.answer.time = u;
+    const double time = static_cast<double>(u);
+    glm::dvec3 v[3];
+    triangles.at(triangle, time, v);
+    receiver.answer.hit = true;
+    receiver.answer.position = v[0] + barycentrics.x * (v[1] - v[0]) + barycentrics.y * (v[2] - v[0]);
+    glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
+    const glm::dvec3 eye = between(plan.camera.open.eye, plan.camera.close.eye, time);
+    if (triangles.doubleSided(triangle) && glm::dot(v[0] - eye, normal) > 0.0) normal = -normal;
+    receiver.light = lightEnd(plan, receiver.answer.position, time);
     testLight(plan, normal, receiver);
     return receiver;
 }

@@ -15,6 +15,8 @@ struct CameraRay {
 };
 
 CameraRay cameraRay(const FramePlan& plan, SampleIndex sample);
+/// The ray through a place in the image (pixels from the lower left corner) at time u.
+CameraRay cameraRayThrough(const FramePlan& plan, glm::vec2 place, float u);
 
 /// Where the camera ray meets the plane of the triangle that the sample sees, and what it has to do with the light.
 struct Receiver {
@@ -24,6 +26,18 @@ struct Receiver {
 
 Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, SampleIndex sample,
                     std::uint32_t triangle);
+/// The same for a ray that is at hand.
+Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, const CameraRay& ray,
+                    std::uint32_t triangle);
+
+/// The point with the barycentrics (1 - y - z, y, z) of a triangle at time u, whether or not the camera sees it then:
+/// two-sided triangles face the eye's side of their plane.
+Receiver receiverOnTriangle(const FramePlan& plan, const MovingTriangles& triangles, std::uint32_t triangle,
+                            glm::dvec2 barycentrics, float u);
+
+/// Barycentrics (y, z) of a point in the plane of a triangle at time u; not finite where the triangle has no area.
+glm::dvec2 barycentricsOf(const MovingTriangles& triangles, std::uint32_t triangle, const glm::dvec3& position,
+                          double u);
 
 /// The far end of the shadow segment of a point. A directional light's segment is as long as the light's map is deep,
 /// which takes it past all of the scene.

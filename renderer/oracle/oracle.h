@@ -7,6 +7,9 @@
 
 #include <glm/glm.hpp>
 
+#include "oracle/sample_footprint.h"
+#include "oracle/sample_index.h"
+#include "oracle/visibility_mean.h"
 #include "plan/frame_plan.h"
 
 namespace timeshade {
@@ -19,15 +22,10 @@ struct OracleAnswer {
     /// A float's rounding could have decided otherwise, where it moves points by 1e-6 of their coordinates: the segment
     /// meets no triangle clearly, but passes that near to an edge, or meets a plane that near to an end of the open
     /// interval (1e-5, 1); or the receiver's facing or the cone's border is that near to a change.
-    /// `answer` knows it only of the samples that it has ruled upon.
+    /// `answer` knows it only of the samples that it has resolved exactly.
     bool marginal = false;
     float time = 0.0f;         ///< u
     glm::dvec3 position{0.0};  ///< world space less the plan's origin
-};
-
-/// A camera sample: which pixel (x to the right, y upwards from the bottom row) and which stratum.
-struct SampleIndex {
-    std::uint32_t x = 0, y = 0, stratum = 0;
 };
 
 /// The independent ray tracer that knows the true `lit` of a camera sample. No OpenGL; it shares nothing with a
@@ -36,7 +34,7 @@ struct SampleIndex {
 /// closed (edges count); one in a common plane with the segment is not met. A directional light's segment is as long as
 /// its map is deep (plan.light.block.farDistance), which takes it past all of the scene.
 /// The vertices are those of plan.texels (floats, taken as exact), the times those of the shared sample pattern.
-/// Embree answers in bulk with linear motion blur; `rule` decides in double precision.
+/// Embree answers in bulk with linear motion blur; `resolve` decides in double precision.
 class Oracle {
   public:
     /// Builds the acceleration structures. Keeps its own copy of what it needs of the plan.
@@ -47,11 +45,11 @@ class Oracle {
 
     /// Answers of all camera samples of the plan, whose triangles are given as [stratum][row from the bottom][column]
     /// (NO_TRIANGLE where nothing is seen), in the same order. Embree, packets of eight, all cores; hits near an edge
-    /// or near an end of the segment are ruled upon. `plan` is the one of construction or one made from it by
+    /// or near an end of the segment are resolved exactly. `plan` is the one of construction or one made from it by
     /// planAtInstant.
     std::vector<OracleAnswer> answer(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
 
-    /// The same as `answer`, but every sample ruled upon: slower by some four times, and nowhere in doubt.
+    /// The same as `answer`, but every sample resolved exactly: slower by some four times, and nowhere in doubt.
     std::vector<OracleAnswer> resolveAll(const FramePlan& plan, std::span<const std::uint32_t> triangles) const;
 
     /// Which triangle each camera sample sees, in the same order, by Embree with the camera's culling rule (one-sided
@@ -59,7 +57,7 @@ class Oracle {
     std::vector<std::uint32_t> tracePrimaries(const FramePlan& plan) const;
 
     /// One sample, decided in double precision, and by exact arithmetic where double could be wrong.
-    OracleAnswer rule(const FramePlan& plan, SampleIndex sample, std::uint32_t triangle) const;
+    OracleAnswer resolve(const FramePlan& plan, SampleIndex sample, std::uint32_t triangle) const;
 
     /// The triangle that one sample sees, in double precision; `marginal` tells whether a float's rounding could have
     /// chosen another (within 1e-6 relative of an edge, or two triangles at one depth within 1e-6).
@@ -69,8 +67,23 @@ class Oracle {
     };
     ResolvedPrimary resolvePrimary(const FramePlan& plan, SampleIndex sample) const;
 
+    /// The converged visibility of each pixel of the rows firstRow .. firstRow + rows - 1: its mean over the whole
+    /// shutter and the pixel's area, over whatever is seen there, [row][column]. `rays` camera rays a pixel, one in
+    /// each stratum of the shutter, their places in the pixel spread by the shared sample pattern; each that meets a
+    /// surface which faces the light inside its cone adds one shadow ray. Means of two seeds are independent. All
+    /// cores, the same numbers every time.
+    std::vector<VisibilityMean> pixelMeans(const FramePlan& plan, std::uint32_t firstRow, std::uint32_t rows,
+                                           std::uint32_t rays, std::uint32_t seed) const;
+
+    /// The mean over each of the footprints, in their order, of `rays` rays that are spread likewise over its time and,
+    /// where it has one, its area. No mean where the sample sees nothing. `plan` gives the samples: the one of
+    /// construction, or one made from it by planAtInstant.
+    std::vector<VisibilityMean> footprintMeans(const FramePlan& plan, std::span<const SampleFootprint> footprints,
+                                               std::uint32_t rays, std::uint32_t seed) const;
+
+    struct Implementation;  ///< for the oracle's own sources
+
   private:
-    struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };
 

@@ -183,7 +183,7 @@ TEST(OracleAgreement, ExactArithmeticIsTheDefinition) {
             const glm::dvec3 light =
                 oracle::lightEnd(frame.plan, resolved[i].position, static_cast<double>(resolved[i].time));
             EXPECT_EQ(resolved[i].lit, !shadowedByTextbook(frame.plan, resolved[i], light, ids[i]));
-            const OracleAnswer again = oracle.rule(frame.plan, sample, ids[i]);
+            const OracleAnswer again = oracle.resolve(frame.plan, sample, ids[i]);
             EXPECT_EQ(again.lit, resolved[i].lit);
         });
         EXPECT_GT(compared, 5000u);
@@ -273,7 +273,7 @@ TEST(OracleAgreement, NothingSeenIsNoAnswer) {
     const Oracle oracle(frame.plan);
     const std::vector<std::uint32_t> nothing(std::size_t{93} * 70 * 4, NO_TRIANGLE);
     for (const OracleAnswer& answer : oracle.answer(frame.plan, nothing)) ASSERT_FALSE(answer.hit || answer.tested);
-    EXPECT_FALSE(oracle.rule(frame.plan, {1, 2, 3}, NO_TRIANGLE).hit);
+    EXPECT_FALSE(oracle.resolve(frame.plan, {1, 2, 3}, NO_TRIANGLE).hit);
 }
 
 /// Share of the tested samples of `plan` whose answer changes under `changed`.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "measure/error_summary.h"
+#include "oracle/oracle.h"
+#include "technique/footprint.h"
+
+namespace timeshade {
+
+/// Footprint error of one frame: `lit` at a technique's own samples against the oracle's mean over the technique's own
+/// footprint. Where that is an instant at a point, the truth is the oracle's exact value and every tested sample is
+/// judged. Else the truth is a mean of rays, in two independent halves, and samples are chosen by a hash of their
+/// place.
+class FootprintJudge {
+  public:
+    /// Of the rays of the two halves.
+    static constexpr std::uint32_t firstSeed = 0x0f007001u, secondSeed = 0x0f008002u;
+
+    struct Options {
+        std::uint32_t samples = 16384;  ///< about so many of all camera samples are judged where that takes means
+        std::uint32_t rays = 512;       ///< of each mean, both halves together
+    };
+    struct Result {
+        ErrorSummary error;      ///< its count is that of the samples that were judged
+        std::uint32_t rays = 0;  ///< of each mean; 0 where the truth is exact
+    };
+
+    /// `plan` is that of the whole frame, which is drawn in so many renders. The oracle must outlive the judge.
+    FootprintJudge(const Oracle& oracle, const FramePlan& plan, int renders, const Footprint& footprint,
+                   Options options);
+    /// The render that the samples after this belong to: its plan, and its number. The plan must live until
+    /// finishRender.
+    void beginRender(const FramePlan& plan, int render);
+    /// A sample that faces the light inside its cone.
+    void add(SampleIndex sample, std::uint32_t triangle, const OracleAnswer& truth, float lit);
+    void finishRender();
+    Result result() const;
+
+  private:
+    bool isExact() const;
+    bool isChosen(SampleIndex sample) const;
+    SampleFootprint over(SampleIndex sample, std::uint32_t triangle, float time) const;
+    std::size_t pixelOf(SampleIndex sample) const;
+
+    const Oracle& oracle_;
+    Footprint footprint_;
+    Options options_;
+    const FramePlan* plan_ = nullptr;
+    std::uint32_t render_ = 0, strata_ = 1;
+    double chosenShare_ = 1.0;
+    std::size_t width_ = 0;
+    std::vector<SampleFootprint> chosen_;
+    std::vector<float> lit_;
+    ErrorSum sum_;
+};
+
+}  // namespace timeshade

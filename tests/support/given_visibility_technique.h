@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "oracle/oracle.h"
+#include "technique/technique.h"
+
+namespace timeshade {
+
+/// For tests of what judges techniques: its values are what a function makes of the plan and the samples, and its
+/// footprint is what the test declares. Values where nothing is tested do not matter.
+class GivenVisibilityTechnique final : public Technique {
+  public:
+    /// lit of all camera samples, [stratum][row from the bottom][column], from the triangles that they see.
+    using Values =
+        std::function<std::vector<float>(const Oracle&, const FramePlan&, const std::vector<std::uint32_t>&)>;
+
+    GivenVisibilityTechnique(Footprint footprint, Values values) : footprint_(footprint), values_(std::move(values)) {}
+
+    const TechniqueDescription& description() const override {
+        static const TechniqueDescription description{"given", "Given", "Values from a function.", "a test"};
+        return description;
+    }
+    void visitSettings(SettingsVisitor&) override {}
+    const Values& values() const { return values_; }
+    Footprint footprint() const override { return footprint_; }
+    std::vector<PassDecision> passes(const FramePlan&) const override { return {}; }
+    void build(const TechniqueFrame&) override {}
+    void lookup(const TechniqueFrame& frame) override {
+        const gl::Texture& ids = frame.samples.ids();
+        std::vector<std::uint32_t> triangles(ids.bytes() / sizeof(std::uint32_t));
+        glGetTextureImage(ids.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(ids.bytes()),
+                          triangles.data());
+        const Oracle oracle(frame.plan);
+        const std::vector<float> lit = values_(oracle, frame.plan, triangles);
+        const gl::Texture& visibility = frame.visibility.lit();
+        glTextureSubImage3D(visibility.name(), 0, 0, 0, 0, visibility.width(), visibility.height(), visibility.layers(),
+                            GL_RED, GL_FLOAT, lit.data());
+    }
+    std::vector<const gl::Texture*> textures() const override { return {}; }
+    std::size_t bytes() const override { return 0; }
+
+  private:
+    Footprint footprint_;
+    Values values_;
+};
+
+}  // namespace timeshade

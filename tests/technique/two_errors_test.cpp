@@ -1,0 +1,304 @@
+// The two errors of a technique, by test doubles whose values are known: a right one has a footprint error of 0, a
+// converged one a shadow error of 0, and a wrong one what follows from its values.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "cases/procedural_scene.h"
+#include "measure/verification.h"
+#include "support/awkward_numbers.h"
+#include "support/given_visibility_technique.h"
+#include "support/gl_environment.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+namespace {
+
+constexpr int width = 48, height = 36, strata = 4;
+
+/// Quads that fly and turn over a ground that slides; light and camera move too.
+class MovingEverything {
+  public:
+    MovingEverything() {
+        AwkwardNumbers numbers(5);
+        const auto number = [&](float low, float high) { return static_cast<double>(numbers.between(low, high)); };
+        for (int i = 0; i < 14; ++i) {
+            const double x = number(-3, 3), y = number(-3, 3), z = number(1, 4), move = number(-1.5f, 1.5f),
+                         rise = number(-0.5f, 0.5f), size = number(0.3f, 0.9f);
+            scene_.quads.push_back(slidingQuad({x, y, z}, {x + move, y - move, z + rise}, size, -size, size));
+        }
+        scene_.quads.push_back(slidingQuad({0, 0, 0}, {0.4, 0, 0}, 7.0, -7.0, 7.0));
+        scene_.cameraOpen = scene_.cameraClose = lookAt({2.0, -8.0, 7.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}, 0.8, 0.01);
+        scene_.cameraClose.eye.x += 0.1;
+        scene_.lightOpen.position = {-0.5, 0.3, 11.0};
+        scene_.lightClose.position = {0.8, 0.0, 11.0};
+        scene_.lightOpen.outerConeAngle = scene_.lightClose.outerConeAngle = 0.45;
+        scene_.finish();
+        FramePlanner planner(scene_);
+        plan = planner.plan(ProceduralScene::request(width, height, strata, 128, 9));
+    }
+
+    FramePlan plan;
+
+  private:
+    ProceduralScene scene_;
+};
+
+const FramePlan& thePlan() {
+    static const MovingEverything everything;
+    return everything.plan;
+}
+
+Footprint over(Footprint::Time time, Footprint::Space space = Footprint::Space::Point) {
+    Footprint footprint;
+    footprint.time = time;
+    footprint.space = space;
+    return footprint;
+}
+
+/// All samples are judged, by 128 rays each.
+VerificationOptions allSamples() {
+    VerificationOptions options;
+    options.checkPrimaries = false;
+    options.footprint.samples = width * height * strata;
+    options.footprint.rays = 128;
+    return options;
+}
+
+/// The oracle's mean over the footprint of each sample: that of the two seeds, as the judge takes it.
+GivenVisibilityTechnique meansOf(const Footprint& footprint, std::uint32_t firstSeed, std::uint32_t secondSeed) {
+    return {footprint, [=](const Oracle& oracle, const FramePlan& plan, const std::vector<std::uint32_t>& ids) {
+                const std::vector<OracleAnswer> answers = oracle.answer(plan, ids);
+                std::vector<SampleFootprint> footprints(ids.size());
+                for (std::uint32_t i = 0; i < ids.size(); ++i) {
+                    SampleFootprint& o = footprints[i];
+                    o.sample = {i % width, i / width % height, i / (width * height)};
+                    o.triangle = answers[i].tested ? ids[i] : NO_TRIANGLE;
+                    if (footprint.space == Footprint::Space::PixelSurface)
+                        o.space = SampleFootprint::Space::PixelSurface;
+                    if (footprint.time == Footprint::Time::Instant) o.from = o.to = answers[i].time;
+                    if (footprint.time != Footprint::Time::Stratum) continue;
+                    o.from = static_cast<float>(o.sample.stratum) / strata;
+                    o.to = static_cast<float>(o.sample.stratum + 1) / strata;
+                }
+                const std::vector<VisibilityMean> a = oracle.footprintMeans(plan, footprints, 64, firstSeed),
+                                                  b = oracle.footprintMeans(plan, footprints, 64, secondSeed);
+                std::vector<float> lit(ids.size(), 0.0f);
+                for (std::size_t i = 0; i < lit.size(); ++i)
+                    if (a[i].exists() && b[i].exists())
+                        lit[i] = static_cast<float>(0.5 * (a[i].value() + b[i].value()));
+                return lit;
+            }};
+}
+
+const Footprint kinds[] = {over(Footprint::Time::Instant),
+                           over(Footprint::Time::Stratum),
+                           over(Footprint::Time::Shutter),
+                           over(Footprint::Time::Instant, Footprint::Space::PixelSurface),
+                           over(Footprint::Time::Stratum, Footprint::Space::PixelSurface),
+                           over(Footprint::Time::Shutter, Footprint::Space::PixelSurface)};
+
+TEST(FootprintError, OfTheExactMeanIsNothing) {
+    for (const Footprint& footprint : kinds) {
+        GivenVisibilityTechnique exact = meansOf(footprint, FootprintJudge::firstSeed, FootprintJudge::secondSeed);
+        const Verification v = verifyFrame(sharedRenderer(), thePlan(), exact, allSamples());
+        const ErrorSummary& e = v.footprintError.error;
+        SCOPED_TRACE(static_cast<int>(&footprint - kinds));
+        EXPECT_EQ(v.footprint.time, footprint.time);
+        EXPECT_GT(e.count, 5000u);
+        EXPECT_EQ(v.footprintError.rays, footprint.isBinary() ? 0u : 128u);
+        // The very rays of the judge: the visibility buffer's float is all that is between them.
+        EXPECT_LE(e.p999, 6e-8);
+        EXPECT_LE(e.mean, 6e-8);
+        EXPECT_EQ(e.rms, 0.0);
+    }
+}
+
+TEST(FootprintError, OfAnIndependentMeanIsItsNoiseAlone) {
+    for (const Footprint& footprint : kinds) {
+        GivenVisibilityTechnique other = meansOf(footprint, 17, 18);
+        const Verification v = verifyFrame(sharedRenderer(), thePlan(), other, allSamples());
+        const ErrorSummary& e = v.footprintError.error;
+        SCOPED_TRACE(static_cast<int>(&footprint - kinds));
+        // Its own 128 rays leave a mean square of the same size as the judge's: what is known of the latter is taken
+        // off, what is left is the former. Below that of independent rays, p (1 - p) / 128 with p = 1/2 at most.
+        EXPECT_LT(e.meanSquare, 0.25 / 128.0 + 3.0 * e.meanSquareDeviation);
+        EXPECT_GT(e.meanSquare, -3.0 * e.meanSquareDeviation);
+        if (!footprint.isBinary()) EXPECT_GT(e.mean, 0.0);
+    }
+}
+
+/// A footprint that is declared wrongly is an error: each kind's mean, judged as if it were the next kind's.
+TEST(FootprintError, ToldFromOneFootprintToTheNext) {
+    for (std::size_t i = 0; i + 1 < std::size(kinds); ++i) {
+        const GivenVisibilityTechnique means = meansOf(kinds[i], FootprintJudge::firstSeed, FootprintJudge::secondSeed);
+        GivenVisibilityTechnique wrong(kinds[i + 1], means.values());
+        const Verification v = verifyFrame(sharedRenderer(), thePlan(), wrong, allSamples());
+        SCOPED_TRACE(static_cast<int>(i));
+        EXPECT_GT(v.footprintError.error.meanSquare, 10.0 * v.footprintError.error.meanSquareDeviation);
+        EXPECT_GT(v.footprintError.error.rms, 0.05);
+    }
+}
+
+TEST(FootprintError, OfAHalfIsAHalfWhereTheTruthIsAnInstant) {
+    for (const double filterTexels : {0.0, 3.0}) {
+        Footprint footprint;
+        footprint.filterTexels = filterTexels;  // a blur is no part of the truth
+        GivenVisibilityTechnique half(footprint, [](const Oracle&, const FramePlan&, const auto& ids) {
+            return std::vector<float>(ids.size(), 0.5f);
+        });
+        const Verification v = verifyFrame(sharedRenderer(), thePlan(), half, allSamples());
+        EXPECT_EQ(v.footprintError.error.count, v.tested);
+        EXPECT_EQ(v.footprintError.error.mean, 0.5);
+        EXPECT_EQ(v.footprintError.error.rms, 0.5);
+        EXPECT_EQ(v.footprintError.error.p999, 0.5);
+        EXPECT_EQ(v.footprintError.error.standardError, 0.0);
+        EXPECT_EQ(v.meanAbsoluteError, 0.5);
+    }
+}
+
+/// For a binary technique, both kinds of counting say the same.
+TEST(FootprintError, IsTheShareOfWrongSamplesOfABinaryTechnique) {
+    const std::unique_ptr<Technique> tsm = makeTechnique("tsm", sharedRenderer().programs());
+    const Verification v = verifyFrame(sharedRenderer(), thePlan(), *tsm, allSamples());
+    EXPECT_GT(v.disagree(), 50u);
+    EXPECT_DOUBLE_EQ(v.footprintError.error.mean, 1e-6 * v.ppm());
+    EXPECT_DOUBLE_EQ(v.footprintError.error.meanSquare, 1e-6 * v.ppm());
+    EXPECT_EQ(v.footprintError.error.p999, 1.0);
+}
+
+TEST(FootprintError, JudgesAboutAsManySamplesAsItIsAsked) {
+    GivenVisibilityTechnique exact = meansOf(over(Footprint::Time::Stratum), 17, 18);
+    VerificationOptions options = allSamples();
+    options.footprint.samples = 700;
+    const Verification v = verifyFrame(sharedRenderer(), thePlan(), exact, options);
+    // Of all camera samples, those that are tested; a binomial number, within four deviations.
+    const double expected = 700.0 * static_cast<double>(v.tested) / static_cast<double>(v.samples);
+    EXPECT_NEAR(static_cast<double>(v.footprintError.error.count), expected, 4.0 * std::sqrt(expected));
+    options.footprint.samples = 0;
+    EXPECT_EQ(verifyFrame(sharedRenderer(), thePlan(), exact, options).footprintError.error.count, 0u);
+}
+
+std::shared_ptr<const ReferenceVisibility> theReference() {
+    static const std::shared_ptr<const ReferenceVisibility> reference =
+        referenceVisibility(thePlan(), 1024, ReferenceCache(std::filesystem::path()));
+    return reference;
+}
+
+VerificationOptions withReference() {
+    VerificationOptions options = allSamples();
+    options.reference = theReference();
+    return options;
+}
+
+/// Every sample of a pixel has the pixel's converged mean, from rays of its own.
+std::vector<float> convergedMeans(const Oracle& oracle, const FramePlan& plan, const std::vector<std::uint32_t>& ids) {
+    const std::vector<VisibilityMean> means = oracle.pixelMeans(plan, 0, height, 4096, 21);
+    std::vector<float> lit(ids.size(), 0.0f);
+    for (std::size_t i = 0; i < lit.size(); ++i)
+        if (const VisibilityMean& mean = means[i % means.size()]; mean.exists())
+            lit[i] = static_cast<float>(mean.value());
+    return lit;
+}
+
+TEST(ShadowError, OfTheConvergedMeanIsNothing) {
+    GivenVisibilityTechnique converged(over(Footprint::Time::Shutter, Footprint::Space::PixelSurface), convergedMeans);
+    const Verification v = verifyFrame(sharedRenderer(), thePlan(), converged, withReference());
+    ASSERT_TRUE(v.shadowError);
+    const ErrorSummary& e = v.shadowError->error;
+    EXPECT_EQ(v.shadowError->rays, 1024);
+    EXPECT_GT(e.count, 1200u);
+    EXPECT_LE(std::abs(e.meanSquare), 3.0 * e.meanSquareDeviation + 0.25 / 4096.0);
+    EXPECT_LT(e.rms, 0.01);
+    EXPECT_LT(e.mean, 0.01) << "not debiased, but 1,024 rays are not far off";
+    // Without the two halves, the reference's own noise would count.
+}
+
+TEST(ShadowError, OfTheReferencesHalvesIsZeroOnAverage) {
+    // The first half as the technique: its product with the second half's difference is 0 in each pixel.
+    GivenVisibilityTechnique half({}, [](const Oracle&, const FramePlan&, const std::vector<std::uint32_t>& ids) {
+        std::vector<float> lit(ids.size());
+        for (std::size_t i = 0; i < lit.size(); ++i)
+            lit[i] = std::max(0.0f, theReference()->first[i % (width * height)]);
+        return lit;
+    });
+    const Verification v = verifyFrame(sharedRenderer(), thePlan(), half, withReference());
+    EXPECT_NEAR(v.shadowError->error.meanSquare, 0.0, 1e-15);
+    EXPECT_GT(v.shadowError->error.mean, 1e-4);
+}
+
+TEST(ShadowError, OfAHalfIsComputedByHand) {
+    GivenVisibilityTechnique half(
+        {}, [](const Oracle&, const FramePlan&, const auto& ids) { return std::vector<float>(ids.size(), 0.5f); });
+    const Verification v = verifyFrame(sharedRenderer(), thePlan(), half, withReference());
+    const Oracle oracle(thePlan());
+    const std::vector<OracleAnswer> answers = oracle.answer(thePlan(), oracle.tracePrimaries(thePlan()));
+    const ReferenceVisibility& reference = *theReference();
+    double sum = 0.0, squares = 0.0;
+    std::size_t count = 0, without = 0;
+    for (std::size_t pixel = 0; pixel < reference.first.size(); ++pixel) {
+        bool sampled = false;
+        for (std::size_t k = 0; k < strata; ++k) sampled = sampled || answers[k * width * height + pixel].tested;
+        if (!reference.has(pixel)) continue;
+        if (!sampled) {
+            ++without;
+            continue;
+        }
+        const double a = static_cast<double>(reference.first[pixel]), b = static_cast<double>(reference.second[pixel]);
+        sum += std::abs(0.5 - 0.5 * (a + b));
+        squares += (0.5 - a) * (0.5 - b);
+        ++count;
+    }
+    const ShadowError& e = *v.shadowError;
+    EXPECT_EQ(e.error.count, count);
+    EXPECT_EQ(e.pixelsWithoutSamples, without);
+    EXPECT_GT(without, 0u);
+    EXPECT_NEAR(e.error.mean, sum / static_cast<double>(count), 1e-12);
+    EXPECT_NEAR(e.error.rms, std::sqrt(squares / static_cast<double>(count)), 1e-12);
+}
+
+/// Brute force with many renders is right but for its map: its pixels' means are over all renders.
+TEST(ShadowError, TakesAllRendersOfAFrame) {
+    const auto errorOf = [](const char* renders) {
+        const std::unique_ptr<Technique> accumulation = makeTechnique("accumulation", sharedRenderer().programs());
+        setFromText(*accumulation, "renders", renders);
+        VerificationOptions options = withReference();
+        const Verification v = verifyFrame(sharedRenderer(), thePlan(), *accumulation, options);
+        return v.shadowError->error.rms;
+    };
+    const double few = errorOf("4"), many = errorOf("32");
+    EXPECT_GT(few, 0.1);
+    EXPECT_LT(many, 0.6 * few);
+}
+
+TEST(ReferenceVisibility, ComesOutOfTheCacheAsItWentIn) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("timeshade-visibility-" + std::to_string(getpid()));
+    const ReferenceCache cache(folder);
+    int steps = 0;
+    const auto count = [&](int, int) { ++steps; };
+    const auto computed = referenceVisibility(thePlan(), 30, cache, count);
+    EXPECT_EQ(computed->rays, 32) << "whole packets of both halves";
+    EXPECT_GT(steps, 1);
+    steps = 0;
+    const auto cached = referenceVisibility(thePlan(), 32, cache, count);
+    EXPECT_EQ(steps, 0) << "computed again";
+    EXPECT_EQ(computed->first, cached->first);
+    EXPECT_EQ(computed->second, cached->second);
+    FramePlan other = thePlan();
+    other.block.seed = 1234;
+    other.block.strata = 2;
+    EXPECT_EQ(referenceVisibilityKey(other, 32), referenceVisibilityKey(thePlan(), 32));
+    other.lightClose.position.x += 0.1;
+    EXPECT_NE(referenceVisibilityKey(other, 32), referenceVisibilityKey(thePlan(), 32));
+    EXPECT_NE(referenceVisibilityKey(thePlan(), 64), referenceVisibilityKey(thePlan(), 32));
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace timeshade
