@@ -47,7 +47,7 @@ std::string asJson(const std::vector<CaseResult>& results) {
 
 }  // namespace
 
-int runCases(const Options& options) {
+int runCases(const CasesOptions& options) {
     if (!options.output.empty()) requireWritable(options.output);
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
     std::vector<std::string> names = options.measuredTechniques;
@@ -71,9 +71,7 @@ int runCases(const Options& options) {
     for (const ClosedFormCase& c : closedFormCases())
         if (c.kind == ClosedFormCase::Kind::Numeric) take(runNumericCase(c));
     for (const std::string& name : names) {
-        Options one = options;
-        one.technique = name;
-        const std::unique_ptr<Technique> technique = techniqueFor(one, renderer.programs());
+        const std::unique_ptr<Technique> technique = techniqueFor(name, options.settings, renderer.programs());
         for (const ClosedFormCase& c : closedFormCases())
             if (c.kind != ClosedFormCase::Kind::Numeric)
                 take(runCase(renderer, *technique, c, {options.samplesPerPixel, options.mapSize}));

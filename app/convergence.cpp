@@ -23,7 +23,7 @@ namespace {
 constexpr const char* techniqueName = "history";
 constexpr int stripSide = 96, stripZoom = 2;  // pixels of the picture; pixels of the strip for each
 
-std::vector<std::pair<std::string, std::string>> ownSettings(const Options& options) {
+std::vector<std::pair<std::string, std::string>> ownSettings(const MeasureOptions& options) {
     const std::string prefix = std::string(techniqueName) + ".";
     std::vector<std::pair<std::string, std::string>> own;
     for (const auto& [name, value] : options.settings)
@@ -63,7 +63,7 @@ const ConvergenceCurve& curveNamed(const std::vector<ConvergenceCurve>& curves, 
 
 }  // namespace
 
-int runConvergence(const Options& options) {
+int runConvergence(const MeasureOptions& options) {
     const std::filesystem::path folder(options.output);
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);

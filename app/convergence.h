@@ -1,11 +1,11 @@
 #pragma once
 
-#include "options.h"
+#include "options/measure_options.h"
 
 namespace timeshade {
 
 /// `timeshade measure --history-frames`: how a still picture converges with the number of frames. Returns the exit
 /// code.
-int runConvergence(const Options& options);
+int runConvergence(const MeasureOptions& options);
 
 }  // namespace timeshade

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "frame/frame_renderer.h"
-#include "options.h"
+#include "options/technique_options.h"
 
 namespace timeshade {
 

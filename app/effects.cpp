@@ -33,7 +33,7 @@ nlohmann::ordered_json toJson(const EffectRow& row) {
 
 }  // namespace
 
-int runEffects(const Options& options) {
+int runEffects(const MeasureOptions& options) {
     const std::filesystem::path folder(options.output);
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);

@@ -9,7 +9,7 @@ namespace timeshade {
 
 namespace {
 
-FrameRequest requestOfShutter(const Options& options, const Scene& scene) {
+FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
     FrameRequest request;
     request.width = options.width;
     request.height = options.height;
@@ -39,7 +39,7 @@ FrameRequest requestOfShutter(const Options& options, const Scene& scene) {
 
 }  // namespace
 
-FrameRequest requestFor(const Options& options, const Scene& scene) {
+FrameRequest requestFor(const FrameOptions& options, const Scene& scene) {
     const FrameRequest request = requestOfShutter(options, scene);
     return options.instant ? atInstant(request, *options.instant) : request;
 }
@@ -53,12 +53,17 @@ FrameRequest atInstant(const FrameRequest& request, double u) {
     return instant;
 }
 
-std::unique_ptr<Technique> techniqueFor(const Options& options, gl::ProgramCache& programs) {
-    std::unique_ptr<Technique> technique = makeTechnique(options.technique, programs);
-    const std::string prefix = options.technique + ".";
-    for (const auto& [name, value] : options.settings)
-        if (name.rfind(prefix, 0) == 0) setFromText(*technique, name.substr(prefix.size()), value);
+std::unique_ptr<Technique> techniqueFor(const std::string& name, const SettingTexts& settings,
+                                        gl::ProgramCache& programs) {
+    std::unique_ptr<Technique> technique = makeTechnique(name, programs);
+    const std::string prefix = name + ".";
+    for (const auto& [key, value] : settings)
+        if (key.starts_with(prefix)) setFromText(*technique, key.substr(prefix.size()), value);
     return technique;
+}
+
+std::unique_ptr<Technique> techniqueFor(const TechniqueOptions& options, gl::ProgramCache& programs) {
+    return techniqueFor(options.technique, options.settings, programs);
 }
 
 }  // namespace timeshade

@@ -2,7 +2,8 @@
 
 #include <memory>
 
-#include "options.h"
+#include "options/frame_options.h"
+#include "options/technique_options.h"
 #include "plan/frame_request.h"
 #include "scene/scene.h"
 #include "technique/technique.h"
@@ -11,12 +12,16 @@ namespace timeshade {
 
 /// What the options ask for, with the scene's own defaults where they are silent. Throws UsageError for a camera that
 /// the scene does not have.
-FrameRequest requestFor(const Options& options, const Scene& scene);
+FrameRequest requestFor(const FrameOptions& options, const Scene& scene);
 
 /// The request of one instant of this one's shutter, u in [0, 1]: as long as an instant, so that nothing is blurred.
 FrameRequest atInstant(const FrameRequest& request, double u);
 
+/// The technique of that name with those of the settings that are its own. Throws UsageError.
+std::unique_ptr<Technique> techniqueFor(const std::string& name, const SettingTexts& settings,
+                                        gl::ProgramCache& programs);
+
 /// The technique that the options name, with their settings.
-std::unique_ptr<Technique> techniqueFor(const Options& options, gl::ProgramCache& programs);
+std::unique_ptr<Technique> techniqueFor(const TechniqueOptions& options, gl::ProgramCache& programs);
 
 }  // namespace timeshade

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "options.h"
+#include "options/command.h"
 
 namespace timeshade {
 
 /// `timeshade shot`: one picture or a sequence of them. Returns the exit code.
-int runShot(const Options& options);
+int runShot(const ShotOptions& options);
 /// `timeshade record`: a video or a folder of pictures.
-int runRecord(const Options& options);
+int runRecord(const RecordOptions& options);
 /// `timeshade pictures`: every built-in scene into a folder.
-int runPictures(const Options& options);
-/// `timeshade cases`: the matrix of techniques and hard cases. 1 where a verdict is wrong.
-int runCases(const Options& options);
+int runPictures(const PicturesOptions& options);
+/// `timeshade cases`: the matrix of techniques and analytic cases. 1 where a verdict is wrong.
+int runCases(const CasesOptions& options);
 /// `timeshade list`.
-int runList(const Options& options);
+int runList(const ListOptions& options);
 
 }  // namespace timeshade

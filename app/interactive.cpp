@@ -38,19 +38,18 @@ namespace {
 constexpr int framesAfterActivity = 3;
 constexpr double longestSleep = 0.25;  // seconds; notices end by themselves
 
-WindowOptions windowOptions(const Options& options, const WindowMemory& memory) {
+WindowOptions windowOptions(const ViewOptions& options, const WindowMemory& memory) {
     WindowOptions window;
     if (memory.width > 0 && memory.height > 0) {
         window.width = memory.width;
         window.height = memory.height;
     }
     // Options start with the size of a headless picture.
-    const Options defaults;
+    const FrameOptions defaults;
     if (options.width != defaults.width || options.height != defaults.height) {
         window.width = options.width;
         window.height = options.height;
     }
-    window.visible = options.windowVisible;
     window.debug = options.debugGl;
     return window;
 }
@@ -58,7 +57,8 @@ WindowOptions windowOptions(const Options& options, const WindowMemory& memory) 
 /// The window from its first frame to its last.
 class Interactive {
   public:
-    Interactive(const Options& options, std::unique_ptr<Scene> scene, const WindowContext& context, MemoryFile& memory)
+    Interactive(const PictureOptions& options, std::unique_ptr<Scene> scene, const WindowContext& context,
+                MemoryFile& memory)
         : window_(context.handle()),
           ui_(window_),
           memory_(memory),
@@ -315,7 +315,7 @@ void Interactive::reportState(int width, int height) {
                           io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2]});
 }
 
-void writeReport(const Options& options, Session& session) {
+void writeReport(const ViewOptions& options, Session& session) {
     if (options.json.empty() || !session.driver.hasPlan()) return;
     const std::string text = manifest(session.renderer, *session.technique, session.sceneName, *session.scene,
                                       session.backEnd, session.driver.times().medians());
@@ -324,7 +324,7 @@ void writeReport(const Options& options, Session& session) {
 
 }  // namespace
 
-int runInteractive(const Options& options) {
+int runInteractive(const ViewOptions& options) {
     if (options.context.kind == ContextKind::Egl || options.context.kind == ContextKind::OsMesa)
         throw UsageError(
             "--context: the window makes its own context; expected auto or window (egl and osmesa are for headless "

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "options.h"
+#include "options/view_options.h"
 
 namespace timeshade {
 
 /// `timeshade view`: the window. Returns the exit code.
-int runInteractive(const Options& options);
+int runInteractive(const ViewOptions& options);
 
 }  // namespace timeshade

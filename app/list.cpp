@@ -66,7 +66,7 @@ void listAsText() {
         if (const std::unique_ptr<SceneRecipe> recipe = makeRecipe(scene.name))
             for (const Setting& setting : settingsOf(*recipe)) listSetting(scene.name, setting);
     }
-    fmt::print("\nhard cases with exact answers, as scenes\n");
+    fmt::print("\nanalytic cases (with exact values), as scenes\n");
     for (const BuiltInScene& scene : caseScenes()) fmt::print("  {}\n      {}\n", scene.name, scene.summary);
     fmt::print("\ntechniques, and their settings for --set\n");
     gl::ProgramCache programs;
@@ -94,10 +94,10 @@ void listDeviceNames(bool json) {
 
 }  // namespace
 
-int runList(const Options& options) {
-    if (options.listDevices)
-        listDeviceNames(options.listAsJson);
-    else if (options.listAsJson)
+int runList(const ListOptions& options) {
+    if (options.devices)
+        listDeviceNames(options.json);
+    else if (options.json)
         listAsJson();
     else
         listAsText();

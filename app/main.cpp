@@ -4,6 +4,7 @@
 #include <exception>
 #include <string>
 #include <system_error>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -11,24 +12,24 @@
 #include "headless.h"
 #include "interactive.h"
 #include "measure.h"
-#include "options.h"
+#include "options/command.h"
 #include "verify.h"
 
 namespace {
 
-int run(const timeshade::Options& options) {
-    switch (options.command) {
-    case timeshade::Command::View: return timeshade::runInteractive(options);
-    case timeshade::Command::Shot: return timeshade::runShot(options);
-    case timeshade::Command::Record: return timeshade::runRecord(options);
-    case timeshade::Command::Pictures: return timeshade::runPictures(options);
-    case timeshade::Command::Measure: return timeshade::runMeasure(options);
-    case timeshade::Command::Cases: return timeshade::runCases(options);
-    case timeshade::Command::Verify: return timeshade::runVerify(options);
-    case timeshade::Command::List: return timeshade::runList(options);
-    }
-    return 1;
-}
+using namespace timeshade;
+
+/// The one function that does what each command says.
+struct Runner {
+    int operator()(const ViewOptions& options) const { return runInteractive(options); }
+    int operator()(const ShotOptions& options) const { return runShot(options); }
+    int operator()(const RecordOptions& options) const { return runRecord(options); }
+    int operator()(const PicturesOptions& options) const { return runPictures(options); }
+    int operator()(const VerifyOptions& options) const { return runVerify(options); }
+    int operator()(const MeasureOptions& options) const { return runMeasure(options); }
+    int operator()(const CasesOptions& options) const { return runCases(options); }
+    int operator()(const ListOptions& options) const { return runList(options); }
+};
 
 /// One line, whatever the names and values in it hold.
 int fail(int code, std::string what) {
@@ -43,11 +44,11 @@ int fail(int code, std::string what) {
 
 int main(int argumentCount, char** arguments) {
     try {
-        const int code = run(timeshade::parseCommandLine(argumentCount, arguments));
+        const int code = std::visit(Runner{}, parseCommandLine(argumentCount, arguments));
         if (std::fflush(stdout) != 0)
             throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
         return code;
-    } catch (const timeshade::UsageError& error) {
+    } catch (const UsageError& error) {
         return fail(2, error.what());
     } catch (const std::system_error& error) {
         // fmt does not say which file it could not print to; there is but one.

@@ -35,7 +35,7 @@ std::string processorName() {
     return "unknown";
 }
 
-std::vector<std::string> techniquesOf(const Options& options) {
+std::vector<std::string> techniquesOf(const MeasureOptions& options) {
     std::vector<std::string> names = options.measuredTechniques;
     if (names.empty()) {
         for (const TechniqueDescription& description : techniqueDescriptions()) names.push_back(description.name);
@@ -47,7 +47,7 @@ std::vector<std::string> techniquesOf(const Options& options) {
     return names;
 }
 
-std::vector<std::string> settingLines(const std::vector<std::string>& techniques, const Options& options) {
+std::vector<std::string> settingLines(const std::vector<std::string>& techniques, const MeasureOptions& options) {
     std::vector<std::string> lines;
     gl::ProgramCache programs;
     for (const std::string& name : techniques) {
@@ -81,7 +81,7 @@ void showProgress(const std::string& what, int done, int total, double secondsLe
 
 }  // namespace
 
-int runMeasure(const Options& options) {
+int runMeasure(const MeasureOptions& options) {
     if (!options.historyFrames.empty()) return runConvergence(options);
     if (options.effects) return runEffects(options);
     const std::filesystem::path folder(options.output);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "options.h"
+#include "options/measure_options.h"
 
 namespace timeshade {
 
 /// `timeshade measure`: accuracy against time, over scenes, techniques, samples per pixel and map sizes.
-int runMeasure(const Options& options);
+int runMeasure(const MeasureOptions& options);
 
 }  // namespace timeshade

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<const char*, 3> positions{"start", "centre", "end"};
 constexpr std::array<const char*, 3> compareModes{"wipe", "side", "difference"};
 
-std::string viewOf(const Options& options) {
+std::string viewOf(const PictureOptions& options) {
     if (options.diagnostic != Diagnostic::None)
         return options.diagnostic == Diagnostic::Error ? "error" : "disagreement";
     if (!options.techniqueView.empty()) return options.techniqueView;
@@ -97,8 +97,8 @@ CameraPose poseFromText(const std::string& text) {
     return pose;
 }
 
-std::vector<PictureWord> pictureWords(const Options& options) {
-    const Options defaults;
+std::vector<PictureWord> pictureWords(const PictureOptions& options) {
+    const PictureOptions defaults;
     std::vector<PictureWord> words;
     const auto add = [&](const std::string& key, const std::string& value) { words.emplace_back(key, value); };
     if (!options.clip.empty()) add("clip", options.clip);
@@ -123,23 +123,26 @@ std::vector<PictureWord> pictureWords(const Options& options) {
             add("compare-mode", compareModes[static_cast<std::size_t>(options.compareMode)]);
         if (options.seam != defaults.seam) add("seam", fmt::format("{}", options.seam));
     }
+    if (options.forceDynamic) add("force-dynamic", "on");
+    if (options.noCache) add("no-cache", "on");
     return words;
 }
 
-std::string shotCommand(const Options& options, const std::string& output) {
+std::string shotCommand(const PictureOptions& options, const std::string& output) {
     std::string command = "timeshade shot " + quoted("--scene=" + options.scene);
     for (const auto& [key, value] : pictureWords(options)) command += " " + quoted("--" + key + "=" + value);
     for (const auto& [key, value] : options.settings) command += " --set " + quoted(key + "=" + value);
     return command + " -o " + quoted(output);
 }
 
-std::string settingsJson(const Options& options, const std::string& windowState) {
+std::string settingsJson(const PictureOptions& options, const std::string& windowState) {
     nlohmann::ordered_json json;
     json["scene"] = options.scene;
     for (const auto& [key, value] : pictureWords(options)) {
-        const bool number = key == "spp" || key == "map" || key == "seed" || key == "frame" || key == "time" ||
-                            key == "fps" || key == "shutter" || key == "seam" || key == "instant";
-        json[key] = number ? valueOf(value) : nlohmann::ordered_json(value);
+        const bool plain = key == "spp" || key == "map" || key == "seed" || key == "frame" || key == "time" ||
+                           key == "fps" || key == "shutter" || key == "seam" || key == "instant" ||
+                           key == "force-dynamic" || key == "no-cache";
+        json[key] = plain ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);
     if (!windowState.empty()) json["window"] = nlohmann::ordered_json::parse(windowState);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/setting.h"
-#include "options.h"
+#include "options/picture_options.h"
 
 namespace timeshade {
 
@@ -25,12 +25,12 @@ using PictureWord = std::pair<std::string, std::string>;
 /// All that decides a picture, as long options without dashes; settings of techniques and scenes stand in
 /// options.settings. What is as at the start is left out, but for scene, technique, size and what a scene has defaults
 /// of its own for.
-std::vector<PictureWord> pictureWords(const Options& options);
+std::vector<PictureWord> pictureWords(const PictureOptions& options);
 
 /// "timeshade shot chess --technique=... -o picture.png", for a shell.
-std::string shotCommand(const Options& options, const std::string& output);
+std::string shotCommand(const PictureOptions& options, const std::string& output);
 
 /// The same as a settings file. `windowState` is a JSON object of what is the window's alone, or empty.
-std::string settingsJson(const Options& options, const std::string& windowState);
+std::string settingsJson(const PictureOptions& options, const std::string& windowState);
 
 }  // namespace timeshade

@@ -40,7 +40,7 @@ void write(FrameRenderer& renderer, const std::filesystem::path& path) {
         writePng(path, pictureOf(renderer));
 }
 
-void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& technique, const Options& options) {
+void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& technique, const TechniqueOptions& options) {
     renderer.begin(std::move(plan), technique, options.view, options.techniqueView);
     const Progress progress(renderer.renders());
     while (!renderer.step()) progress.update(renderer.rendersDone());
@@ -53,7 +53,7 @@ void sayWritten(const std::filesystem::path& path, double milliseconds, const gl
 
 }  // namespace
 
-int runShot(const Options& options) {
+int runShot(const ShotOptions& options) {
     if (!options.compared.empty() && (options.diagnostic != Diagnostic::None || !options.techniqueView.empty()))
         throw UsageError("--compare: shows light; expected --view final or visibility beside it");
     const int frames = options.frames.value_or(1);
@@ -103,7 +103,7 @@ int runShot(const Options& options) {
     return 0;
 }
 
-int runPictures(const Options& options) {
+int runPictures(const PicturesOptions& options) {
     const std::filesystem::path folder(options.output);
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);

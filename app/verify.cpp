@@ -87,7 +87,7 @@ void requireBinary(const Technique& technique) {
 
 }  // namespace
 
-int runVerify(const Options& options) {
+int runVerify(const VerifyOptions& options) {
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     const FrameRequest request = requestFor(options, *scene);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "options.h"
+#include "options/verify_options.h"
 
 namespace timeshade {
 
 /// `timeshade verify`: agreement of a technique with the oracle. Returns 0, or 3 where --max-ppm is exceeded.
-int runVerify(const Options& options);
+int runVerify(const VerifyOptions& options);
 
 }  // namespace timeshade

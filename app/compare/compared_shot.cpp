@@ -9,7 +9,7 @@
 namespace timeshade {
 
 ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,
-                          const Options& options, const Scene& scene, const std::string& backEnd) {
+                          const PictureOptions& options, const Scene& scene, const std::string& backEnd) {
     const std::vector<ComparedTechnique> techniques = techniquesFor(options, renderer.programs());
     ComparedShot shot;
     std::vector<DisplayImage> pictures;

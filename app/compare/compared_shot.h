@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "frame/frame_renderer.h"
-#include "options.h"
+#include "options/picture_options.h"
 #include "scene/scene.h"
 
 namespace timeshade {
@@ -17,6 +17,6 @@ struct ComparedShot {
 
 /// The picture that --compare asks for, of one frame.
 ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,
-                          const Options& options, const Scene& scene, const std::string& backEnd);
+                          const PictureOptions& options, const Scene& scene, const std::string& backEnd);
 
 }  // namespace timeshade

@@ -19,7 +19,7 @@ std::vector<std::string> labelsOf(const std::vector<ComparedTechnique>& techniqu
     return labels;
 }
 
-std::vector<ComparedTechnique> techniquesFor(const Options& options, gl::ProgramCache& programs) {
+std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::ProgramCache& programs) {
     std::vector<ComparedTechnique> techniques;
     for (const std::string& variant : options.compared) {
         techniques.push_back({TechniqueVariant::of(variant).make(options.settings, programs), ""});
@@ -29,7 +29,7 @@ std::vector<ComparedTechnique> techniquesFor(const Options& options, gl::Program
     return techniques;
 }
 
-DisplayImage composedFor(const Options& options, double seam, const std::vector<std::string>& labels,
+DisplayImage composedFor(const CompareOptions& options, double seam, const std::vector<std::string>& labels,
                          const std::vector<DisplayImage>& pictures, const PictureText& text) {
     if (pictures.size() == 1) return pictures.front();
     const int width = pictures.front().width;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/picture_text.h"
-#include "options.h"
+#include "options/picture_options.h"
 #include "technique/technique.h"
 
 namespace timeshade {
@@ -17,13 +17,13 @@ struct ComparedTechnique {
 };
 
 /// The two that --compare names, or the one of --technique.
-std::vector<ComparedTechnique> techniquesFor(const Options& options, gl::ProgramCache& programs);
+std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::ProgramCache& programs);
 
 /// What a viewer should know of a technique: "tsm:bias=2, 8 spp", or its renders where those are its effort.
 std::string sampleCountLabel(const std::string& variant, Technique& technique, int samplesPerPixel);
 
 /// Their pictures as the one that the options ask for, labelled. One picture alone stays as it is.
-DisplayImage composedFor(const Options& options, double seam, const std::vector<std::string>& labels,
+DisplayImage composedFor(const CompareOptions& options, double seam, const std::vector<std::string>& labels,
                          const std::vector<DisplayImage>& pictures, const PictureText& text);
 
 /// The techniques' labels.

@@ -31,7 +31,7 @@ PartPainter::PartPainter(FrameRenderer& renderer, const ScriptPart& part, const 
     if (!part.drawn.frame && !part.drawn.seconds) first_.frame = 0.0;
     frames_ = part.frames > 0 ? part.frames : oneTurn(scene, first_);
     if (part.cameraTo.empty()) return;
-    Options there = part.drawn;
+    FrameOptions there = part.drawn;
     there.camera = part.cameraTo;
     cameraTo_ = requestFor(there, scene).cameraIndex;
 }

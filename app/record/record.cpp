@@ -48,7 +48,7 @@ std::vector<ReadyPart> readyParts(const std::vector<ScriptPart>& parts, FrameRen
 }
 
 /// `drawn` is the first part's; all are of its size.
-std::unique_ptr<FrameSink> sinkFor(const Options& options, const Options& drawn, double framesPerSecond) {
+std::unique_ptr<FrameSink> sinkFor(const RecordOptions& options, const FrameOptions& drawn, double framesPerSecond) {
     if (!options.output.ends_with(".mp4")) return std::make_unique<PictureFolder>(options.output);
     VideoFormat format;
     format.width = drawn.width;
@@ -82,9 +82,9 @@ int drawAll(std::vector<ReadyPart>& parts, FrameSink& sink, const FrameProgress&
     throw Error(fmt::format("stopped by {} after {} of {} frames; {} holds these", signal, done, total, sink.kept()));
 }
 
-std::string reportOf(const Options& options, const std::vector<ScriptPart>& parts, const std::vector<ReadyPart>& ready,
-                     const std::vector<int>& frames, double framesPerSecond, double seconds,
-                     const gl::DeviceInfo& device) {
+std::string reportOf(const RecordOptions& options, const std::vector<ScriptPart>& parts,
+                     const std::vector<ReadyPart>& ready, const std::vector<int>& frames, double framesPerSecond,
+                     double seconds, const gl::DeviceInfo& device) {
     nlohmann::ordered_json json;
     json["timeshade"] = TIMESHADE_VERSION;
     json["command"] = options.commandLine;
@@ -92,7 +92,7 @@ std::string reportOf(const Options& options, const std::vector<ScriptPart>& part
     json["fps"] = framesPerSecond;
     int total = 0;
     for (std::size_t i = 0; i < ready.size(); ++i) {
-        const Options& drawn = parts[i].drawn;
+        const PictureOptions& drawn = parts[i].drawn;
         json["parts"].push_back({{"scene", drawn.scene},
                                  {"first", total},
                                  {"frames", frames[i]},
@@ -116,7 +116,7 @@ std::string reportOf(const Options& options, const std::vector<ScriptPart>& part
 
 }  // namespace
 
-int runRecord(const Options& options) {
+int runRecord(const RecordOptions& options) {
     const StopSignals signals;
     const std::vector<ScriptPart> parts = partsOf(options);
     if (!options.json.empty()) requireWritable(options.json);

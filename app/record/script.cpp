@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "options/command.h"
 #include "settings_file.h"
 
 namespace timeshade {
@@ -50,7 +51,8 @@ std::vector<double> takenSeams(nlohmann::json& part) {
     return seams;
 }
 
-ScriptPart partOf(nlohmann::json json, const nlohmann::json& common, const Options& options, const std::string& place) {
+ScriptPart partOf(nlohmann::json json, const nlohmann::json& common, const RecordOptions& options,
+                  const std::string& place) {
     if (!json.is_object()) throw Error(fmt::format("is a JSON {}; expected an object", json.type_name()));
     ScriptPart part;
     part.frames = static_cast<int>(takenNumber(json, "frames", 0.0, 0.0, 1e6));
@@ -69,7 +71,7 @@ ScriptPart partOf(nlohmann::json json, const nlohmann::json& common, const Optio
             arguments.insert(arguments.end(), setting.arguments.begin(), setting.arguments.end());
     }
     arguments.insert(arguments.end(), options.arguments.begin() + 1, options.arguments.end());
-    part.drawn = parseArguments(arguments);
+    part.drawn = std::get<RecordOptions>(parseArguments(arguments));
     if (!json.contains("scene") || !json["scene"].is_string()) throw Error("has no \"scene\"; expected a scene's name");
     part.drawn.scene = json["scene"].get<std::string>();
     if (options.frames) part.frames = *options.frames;
@@ -78,7 +80,7 @@ ScriptPart partOf(nlohmann::json json, const nlohmann::json& common, const Optio
 
 }  // namespace
 
-std::vector<ScriptPart> partsOf(const Options& options) {
+std::vector<ScriptPart> partsOf(const RecordOptions& options) {
     if (options.script.empty()) {
         ScriptPart part;
         part.drawn = options;
@@ -97,7 +99,7 @@ std::vector<ScriptPart> partsOf(const Options& options) {
         const std::string place = fmt::format("{}: part {}", options.script, parts.size() + 1);
         try {
             parts.push_back(partOf(part, common, options, place));
-            const Options &first = parts.front().drawn, &last = parts.back().drawn;
+            const PictureOptions &first = parts.front().drawn, &last = parts.back().drawn;
             if (first.width != last.width || first.height != last.height)
                 throw Error(fmt::format("\"size\" is {}x{}; expected {}x{} as of the first part", last.width,
                                         last.height, first.width, first.height));

@@ -36,7 +36,7 @@ ProbeSubject otherSubject(Session& session, const std::string& technique) {
     const auto kept = session.cachedSettings.find(technique);
     if (kept != session.cachedSettings.end())
         return {technique, kept->second, session.request.samplesPerPixel, session.request.mapSize};
-    Options chosen = session.options;
+    TechniqueOptions chosen = session.options;
     chosen.technique = technique;
     return {technique, valuesOf(*techniqueFor(chosen, session.renderer.programs())), session.request.samplesPerPixel,
             session.request.mapSize};

@@ -123,7 +123,7 @@ std::vector<std::string> Comparison::variants(Session& session) const {
 }
 
 DisplayImage Comparison::composedPicture(Session& session) {
-    Options options = session.options;
+    CompareOptions options = session.options;
     options.compareMode = mode;
     const std::vector<std::string> names = variants(session);
     const int samples = session.request.samplesPerPixel;

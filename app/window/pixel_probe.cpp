@@ -106,7 +106,7 @@ void PixelProbe::askNext(Session& session) {
     const FramePlan& plan = session.renderer.plan();
     while (next_ < all.size()) {
         const std::string& name = all[next_++].name;
-        Options chosen = session.options;
+        TechniqueOptions chosen = session.options;
         chosen.technique = name;
         const std::unique_ptr<Technique> technique = techniqueFor(chosen, renderer_->programs());
         // Brute force looks from one instant after the other and has no answer of its own for a camera sample.

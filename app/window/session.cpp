@@ -17,7 +17,7 @@
 
 namespace timeshade {
 
-Session::Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName)
+Session::Session(const PictureOptions& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName)
     : options(givenOptions),
       backEnd(std::move(backEndName)),
       driver(renderer),
@@ -30,7 +30,7 @@ Session::Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene,
 }
 
 void Session::adopt(std::unique_ptr<Scene> newScene, const std::string& name) {
-    Options ofShutter = options;
+    FrameOptions ofShutter = options;
     ofShutter.instant.reset();  // kept apart
     const FrameRequest newRequest = requestFor(ofShutter, *newScene);
     instant = options.instant;
@@ -135,13 +135,11 @@ void Session::reloadShaders() {
     if (shaderLog.empty()) notify("Shaders loaded anew");
 }
 
-void Session::become(const Options& wanted) {
+void Session::become(const PictureOptions& wanted) {
     std::unique_ptr<Scene> opened = openScene(wanted.scene, wanted.clip, wanted.settings);
     requestFor(wanted, *opened);  // throws for a camera that is not there
     std::unique_ptr<Technique> made = techniqueFor(wanted, renderer.programs());
-    const Options before = std::exchange(options, wanted);
-    options.command = before.command;
-    options.context = before.context;
+    options = wanted;
     technique = std::move(made);
     statistics_.clear();
     cachedSettings.clear();
@@ -173,7 +171,7 @@ void Session::compareWished() {
     } else if (wishedComparison) {
         std::unique_ptr<Technique> second;
         if (!wishedComparison->empty()) {
-            Options chosen = options;
+            TechniqueOptions chosen = options;
             chosen.technique = *wishedComparison;
             second = techniqueFor(chosen, renderer.programs());
         }
@@ -222,7 +220,7 @@ void Session::chooseWished(const std::string& name) {
     std::vector<double>& kept = cachedSettings[technique->description().name];
     kept.clear();
     for (const Setting& setting : settingsOf(*technique)) kept.push_back(setting.get());
-    Options chosen = options;
+    TechniqueOptions chosen = options;
     chosen.technique = name;
     technique = techniqueFor(chosen, renderer.programs());
     statistics_.clear();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "frame/frame_renderer.h"
-#include "options.h"
+#include "options/picture_options.h"
 #include "scene/scene.h"
 #include "scene_catalogue.h"
 #include "scenes/scene_recipe.h"
@@ -37,7 +37,7 @@ struct Notice {
 /// All that the window knows; the panels read it and change it. Opening a scene and choosing a technique are only
 /// asked for by the panels and done between two frames, when nobody looks at the old ones.
 struct Session {
-    Session(const Options& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName);
+    Session(const PictureOptions& givenOptions, std::unique_ptr<Scene> firstScene, std::string backEndName);
 
     /// Does what was asked for since the last frame.
     void applyWishes();
@@ -45,7 +45,7 @@ struct Session {
     /// stay.
     void reloadShaders();
     /// Opens what the options say, as at a start. Throws and stays as it is where that can't be.
-    void become(const Options& wanted);
+    void become(const PictureOptions& wanted);
     /// Settings of techniques and scenes that are not shown now, where they are not at their defaults.
     void addCachedSettings(SettingTexts& settings);
     /// Moves the clock on. `now` in seconds.
@@ -72,8 +72,8 @@ struct Session {
     /// "timeshade-SCENE-TECHNIQUE-0012.png"
     std::string screenshotName() const;
 
-    Options options;      ///< as given; what belongs to the first scene alone is cleared when another is opened
-    std::string backEnd;  ///< of the window's context
+    PictureOptions options;  ///< as given; what belongs to the first scene alone is cleared when another is opened
+    std::string backEnd;     ///< of the window's context
     FrameRenderer renderer;
     FrameDriver driver;
 

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "frame_setup.h"
 #include "image/image_file.h"
+#include "options/command.h"
 #include "options_text.h"
 #include "scene_catalogue.h"
 #include "settings_file.h"
@@ -68,10 +69,9 @@ WindowState windowStateOf(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-Options pictureOptions(Session& session) {
+PictureOptions pictureOptions(Session& session) {
     const FrameRequest& request = session.request;
-    Options options = session.options;
-    options.command = Command::Shot;
+    PictureOptions options = session.options;
     options.scene = session.sceneName;
     options.technique = session.technique->description().name;
     options.settings.clear();
@@ -102,13 +102,12 @@ Options pictureOptions(Session& session) {
         options.techniqueView.clear();
         options.diagnostic = Diagnostic::None;
     }
-    options.output.clear();
     return options;
 }
 
 std::string commandOf(Session& session) {
     const std::filesystem::path scene(session.sceneName);
-    Options options = pictureOptions(session);
+    PictureOptions options = pictureOptions(session);
     // A path is meant from where the window was started, and is to hold elsewhere too.
     if (scene.has_extension() && std::filesystem::exists(scene))
         options.scene = std::filesystem::absolute(scene).lexically_normal().string();
@@ -116,7 +115,7 @@ std::string commandOf(Session& session) {
 }
 
 void saveSettings(Session& session, const std::string& path) {
-    Options options = pictureOptions(session);
+    PictureOptions options = pictureOptions(session);
     session.addCachedSettings(options.settings);
     const std::string text = settingsJson(options, windowState(session));
     writeFileAtomically(path, text);
@@ -126,7 +125,7 @@ void loadSettings(Session& session, const std::string& path) {
     const std::string text = textOfFile(path, "settings");
     const std::vector<FileSetting> settings = settingsOfJson(text, path);
     const WindowState state = windowStateOf(text, path);
-    session.become(parseWithSettings({"view"}, settings));
+    session.become(std::get<ViewOptions>(parseWithSettings({"view"}, settings)));
     session.textScale = state.textScale;
     session.panelsVisible = state.panels;
     for (const auto& [name, pose] : state.views)

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "options.h"
+#include "options/picture_options.h"
 
 namespace timeshade {
 
@@ -10,7 +10,7 @@ struct Session;
 
 /// What the window shows, as options: drawn headless they give the picture that it shows when nothing moves. Of
 /// settings only those of the technique and the scene that are not at their defaults.
-Options pictureOptions(Session& session);
+PictureOptions pictureOptions(Session& session);
 
 /// The command that draws it.
 std::string commandOf(Session& session);

@@ -130,7 +130,7 @@ void print(const char* what, const std::vector<double>& bare, const std::vector<
 
 int main() {
     const std::unique_ptr<Scene> scene = openScene("pillars", "");
-    Options options;
+    FrameOptions options;
     options.width = 320;
     options.height = 240;
     FramePlanner planner(*scene);

@@ -56,7 +56,7 @@ double sampleMilliseconds(FrameRenderer& renderer, const FramePlan& plan, Techni
 double compare(FrameRenderer& renderer, const std::string& name, int rounds) {
     const std::unique_ptr<Scene> scene = openScene(name, "");
     FramePlanner planner(*scene);
-    Options options;
+    FrameOptions options;
     const FramePlan plan = planner.plan(requestFor(options, *scene));
     NoShadow none;
     EmbreeBaseline rays(plan);

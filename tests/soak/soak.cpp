@@ -65,8 +65,8 @@ void setAtRandom(const Setting& setting, AwkwardNumbers& numbers) {
                              (setting.maximum - setting.minimum) * std::pow(static_cast<double>(numbers.unit()), 3.0));
 }
 
-Options firstOptions() {
-    Options options;
+PictureOptions firstOptions() {
+    PictureOptions options;
     options.scene = "pillars";
     options.samplesPerPixel = 4;
     options.mapSize = 64;

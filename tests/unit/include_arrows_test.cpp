@@ -281,7 +281,7 @@ TEST(IncludeArrows, TheRulesRefuseWhatTheyShould) {
     EXPECT_TRUE(refused("renderer/plan/a.cpp", "culling/closed_surfaces.h"));
     EXPECT_TRUE(refused("renderer/core/a.cpp", "scene/scene.h"));
     EXPECT_TRUE(refused("renderer/frame/a.cpp", "techniques/tsm/tsm_shadow.h"));
-    EXPECT_TRUE(refused("renderer/frame/a.cpp", "options.h"));
+    EXPECT_TRUE(refused("renderer/frame/a.cpp", "options/command.h"));
     EXPECT_TRUE(refused("renderer/frame/a.cpp", "imgui.h", false));
     EXPECT_TRUE(refused("renderer/gl/a.cpp", "GLFW/glfw3.h", false));
     EXPECT_TRUE(refused("renderer/measure/a.cpp", "techniques/tsm/tsm_shadow.h"));

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "options.h"
+#include "options/command.h"
 #include "options_text.h"
 #include "scene_catalogue.h"
 #include "scenes/scene_recipe.h"
@@ -71,11 +71,10 @@ CameraPose randomPose(Dice& dice) {
     return pose;
 }
 
-Options randomState(int seed) {
+PictureOptions randomState(int seed) {
     Dice dice(static_cast<std::uint64_t>(seed) + 1);
     gl::ProgramCache programs;
-    Options options;
-    options.command = Command::Shot;
+    PictureOptions options;
     const std::vector<BuiltInScene>& scenes = builtInScenes();
     const std::array<std::string, 3> files{"/models/it's \"here\".glb", "a b/$HOME;ls.gltf", "models/--weird=name.glb"};
     options.scene = dice.below(4) == 0 ? files[std::size_t(dice.below(3))]
@@ -106,7 +105,7 @@ Options randomState(int seed) {
     return options;
 }
 
-void expectSamePicture(const Options& a, const Options& b) {
+void expectSamePicture(const PictureOptions& a, const PictureOptions& b) {
     EXPECT_EQ(a.scene, b.scene);
     EXPECT_EQ(a.technique, b.technique);
     EXPECT_EQ(a.camera, b.camera);
@@ -124,7 +123,7 @@ void expectSamePicture(const Options& a, const Options& b) {
         EXPECT_EQ(a.pose->nearDistance, b.pose->nearDistance);
     }
     // What counts of settings is what they make of their owners.
-    const auto valuesOf = [](const Options& options) {
+    const auto valuesOf = [](const PictureOptions& options) {
         gl::ProgramCache programs;
         std::vector<double> values;
         const std::unique_ptr<Technique> technique = makeTechnique(options.technique, programs);
@@ -143,15 +142,14 @@ void expectSamePicture(const Options& a, const Options& b) {
 
 TEST(OptionsText, FiftyRandomStatesComeBackFromTheirCommandLines) {
     for (int seed = 0; seed < 50; ++seed) {
-        const Options state = randomState(seed);
+        const PictureOptions state = randomState(seed);
         const std::string command = shotCommand(state, "a picture.png");
         SCOPED_TRACE(command);
         std::vector<std::string> words = wordsOf(command);
         ASSERT_GT(words.size(), 2u);
         EXPECT_EQ(words.front(), "timeshade");
         words.erase(words.begin());
-        const Options read = parseArguments(words);
-        EXPECT_EQ(read.command, Command::Shot);
+        const ShotOptions read = std::get<ShotOptions>(parseArguments(words));
         EXPECT_EQ(read.output, "a picture.png");
         expectSamePicture(state, read);
     }
@@ -159,10 +157,10 @@ TEST(OptionsText, FiftyRandomStatesComeBackFromTheirCommandLines) {
 
 TEST(OptionsText, AndFromTheirSettingsFiles) {
     for (int seed = 0; seed < 50; ++seed) {
-        const Options state = randomState(seed);
+        const PictureOptions state = randomState(seed);
         const std::string json = settingsJson(state, R"({"panels": true})");
         SCOPED_TRACE(json);
-        expectSamePicture(state, parseWithSettings({"view"}, settingsOfJson(json, "s.json")));
+        expectSamePicture(state, std::get<ViewOptions>(parseWithSettings({"view"}, settingsOfJson(json, "s.json"))));
     }
 }
 

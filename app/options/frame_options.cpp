@@ -1,0 +1,98 @@
+#include "options/frame_options.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "core/error.h"
+#include "options/option_checks.h"
+#include "options_text.h"
+
+namespace timeshade {
+
+namespace {
+
+void readSize(const std::string& text, FrameOptions& options) {
+    int width = 0, height = 0;
+    char rest = '\0';
+    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 ||
+        width > maximumImageSide || height > maximumImageSide)
+        throw UsageError(fmt::format("--size {}: expected WIDTHxHEIGHT, each from 1 to {}", text, maximumImageSide));
+    options.width = width;
+    options.height = height;
+}
+
+void declareSampling(CLI::App& app, FrameOptions& options) {
+    declareSamples(app, options.samplesPerPixel);
+    app.add_option_function<std::string>(
+           "--size", [&options](const std::string& text) { readSize(text, options); }, "WIDTHxHEIGHT of the picture")
+        ->check(notEmpty("WIDTHxHEIGHT"))
+        ->multi_option_policy(lastWins);
+    declareMapSize(app, options.mapSize, "shadow map size: texels along a side");
+    app.add_option("--seed", options.seed, "of all random numbers")
+        ->check(numberFrom(0u, 4294967295u))
+        ->multi_option_policy(lastWins);
+}
+
+void declareTime(CLI::App& app, FrameOptions& options) {
+    auto* frame = app.add_option("--frame", options.frame, "number of the frame (default: the scene's own)")
+                      ->check(numberFrom(-1e6, 1e6))
+                      ->multi_option_policy(lastWins);
+    app.add_option("--time", options.seconds, "seconds instead of a frame number")
+        ->check(numberFrom(-1e6, 1e6))
+        ->excludes(frame)
+        ->multi_option_policy(lastWins);
+    app.add_option("--fps", options.framesPerSecond, "frames per second")
+        ->check(numberFrom(0.1, 10000.0))
+        ->multi_option_policy(lastWins);
+    app.add_option("--clip", options.clip, "name of one of the file's animations")
+        ->check(notEmpty("a clip's name"))
+        ->multi_option_policy(lastWins);
+}
+
+void declareShutter(CLI::App& app, FrameOptions& options) {
+    app.add_option("--shutter", options.shutterLength, "frames during which the shutter is open (0.5 is 180 degrees)")
+        ->check(numberFrom(0.0, 16.0))
+        ->multi_option_policy(lastWins);
+    app.add_option("--shutter-position", options.shutterPosition,
+                   "start, centre, end: where the frame's instant lies in the shutter")
+        ->transform(oneOf<ShutterPosition>(
+            {{"start", ShutterPosition::Start}, {"centre", ShutterPosition::Centre}, {"end", ShutterPosition::End}}))
+        ->multi_option_policy(lastWins);
+    app.add_option("--instant", options.instant,
+                   "one instant of the shutter instead of all of it: 0 where it opens, 1 where it closes")
+        ->check(numberFrom(0.0, 1.0))
+        ->multi_option_policy(lastWins);
+}
+
+void declareCamera(CLI::App& app, FrameOptions& options) {
+    app.add_option("--camera", options.camera, "name of one of the scene's cameras")
+        ->check(notEmpty("a camera's name"))
+        ->multi_option_policy(lastWins);
+    app.add_option_function<std::string>(
+           "--pose", [&options](const std::string& text) { options.pose = poseFromText(text); },
+           "a camera of one's own: 14 numbers, as the window's \"Copy command line\" writes them")
+        ->multi_option_policy(lastWins);
+}
+
+/// The names that these two had before stay, without a word in the help.
+void declareYardsticks(CLI::App& app, FrameOptions& options) {
+    app.add_flag("--force-dynamic", options.forceDynamic,
+                 "treat every triangle as dynamic, cull nothing for what the camera sees, cache nothing");
+    app.add_flag("--no-plan", options.forceDynamic)->group("");
+    app.add_flag("--no-cache", options.noCache, "reuse nothing from frame to frame: draw what is static anew");
+    app.add_flag("--no-keep", options.noCache)->group("");
+}
+
+}  // namespace
+
+void declareOptions(CLI::App& app, FrameOptions& options) {
+    declareSampling(app, options);
+    declareTime(app, options);
+    declareShutter(app, options);
+    declareCamera(app, options);
+    declareYardsticks(app, options);
+}
+
+}  // namespace timeshade

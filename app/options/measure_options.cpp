@@ -1,0 +1,96 @@
+#include "options/measure_options.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/error.h"
+#include "options/command_parts.h"
+#include "scenes/scene_recipe.h"
+
+namespace timeshade {
+
+namespace {
+
+/// "cubes.count=1000,2000". Every value is tried at once.
+void readVaried(const std::string& text, MeasureOptions& options) {
+    const std::string expected = "expected SCENE.KEY=V1,V2,... of a computed scene, as in cubes.count=1000,2000";
+    const std::size_t equals = text.find('='), dot = text.find('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+        throw UsageError(fmt::format("--vary {}: {}", text, expected));
+    const std::string scene = text.substr(0, dot);
+    const std::unique_ptr<SceneRecipe> recipe = makeRecipe(scene);
+    if (!recipe) throw UsageError(fmt::format("--vary {}: '{}' is no computed scene; {}", text, scene, expected));
+    options.variedSetting = text.substr(0, equals);
+    std::istringstream values(text.substr(equals + 1));
+    for (std::string value; std::getline(values, value, ',');) {
+        setFromText(*recipe, text.substr(dot + 1, equals - dot - 1), value);
+        options.variedValues.push_back(value);
+    }
+    if (options.variedValues.empty()) throw UsageError(fmt::format("--vary {}: {}", text, expected));
+    if (options.measuredScenes.empty()) options.measuredScenes = {scene};
+    if (std::find(options.measuredScenes.begin(), options.measuredScenes.end(), scene) == options.measuredScenes.end())
+        throw UsageError(fmt::format("--vary {}: scene {} is not among those that are measured", text, scene));
+}
+
+/// What is measured, of each other: scenes, techniques, and their parameters. Returns --spps.
+CLI::Option* declareSweep(CLI::App& measure, MeasureOptions& options) {
+    measure.add_option("scenes", options.measuredScenes, "built-in scenes or files (default: all built-in ones)");
+    measure.add_option("-o,--output", options.output, "folder; a sweep that was interrupted goes on there")->required();
+    measure
+        .add_option(
+            "--techniques", options.measuredTechniques,
+            "names, with settings after colons as in tsm:bias=2, and embree for the ray-traced baseline (default: all)")
+        ->delimiter(',');
+    measure.add_option("--maps", options.measuredMaps, "shadow map sizes to measure, as in 256,512")
+        ->delimiter(',')
+        ->check(numberFrom(minimumMapSize, maximumMapSize));
+    measure
+        .add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")
+        ->check(numberFrom(2, 1000));
+    measure.add_option("--reference", options.referenceSamples, "samples per pixel of the reference")
+        ->check(numberFrom(1, 65536));
+    return measure
+        .add_option("--spps", options.measuredSampleCounts,
+                    "samples per pixel to measure, as in 1,2,4,8,16 (with --vary by default that of --spp alone)")
+        ->delimiter(',')
+        ->check(numberFrom(1, maximumSamplesPerPixel));
+}
+
+/// Measurements other than the sweep.
+void declareOthers(CLI::App& measure, MeasureOptions& options) {
+    measure
+        .add_option("--history-frames", options.historyFrames,
+                    "instead: how a static picture of `history` converges, as in 1,5,10,20,40,60 (with --shutter 0 "
+                    "--spp 1: hard shadows)")
+        ->delimiter(',')
+        ->check(numberFrom(1, 10000));
+    measure.add_flag("--effects", options.effects,
+                     "instead: what each thing that moves costs, and what the plan saves, for the first of "
+                     "--techniques (default: ranges)");
+}
+
+}  // namespace
+
+void addMeasureCommand(CLI::App& app, Command& command) {
+    CLI::App* measure = app.add_subcommand("measure", "accuracy against time: tables and charts into a folder");
+    auto reading = std::make_shared<CommandReading<MeasureOptions>>();
+    CLI::Option* sampleCounts = declareSweep(*measure, reading->options);
+    auto varied = std::make_shared<std::string>();
+    measure
+        ->add_option("--vary", *varied,
+                     "SCENE.KEY=V1,V2,... of a computed scene: measure it at each of these values, as in "
+                     "cubes.count=1000,2000")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    declareOthers(*measure, reading->options);
+    declareDrawing(*measure, *reading);
+    whenRead(*measure, command, reading, [sampleCounts, varied](CommandReading<MeasureOptions>& read) {
+        MeasureOptions& options = read.options;
+        if (!varied->empty()) {
+            readVaried(*varied, options);
+            if (sampleCounts->count() == 0) options.measuredSampleCounts = {options.samplesPerPixel};
+        }
+        checkDrawing(read, {}, "");
+    });
+}
+
+}  // namespace timeshade

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "options/compare_options.h"
+#include "options/frame_options.h"
+#include "options/run_options.h"
+#include "options/technique_options.h"
+
+namespace timeshade {
+
+/// `timeshade measure`: accuracy against time.
+struct MeasureOptions : FrameOptions, TechniqueOptions, CompareOptions, RunOptions {
+    /// Small enough to sweep on a software renderer.
+    MeasureOptions() {
+        width = 320;
+        height = 240;
+    }
+
+    std::string output;                                     ///< a folder
+    std::vector<std::string> measuredScenes;                ///< empty for all built-in ones that are files
+    std::vector<std::string> measuredTechniques;            ///< names or TechniqueVariants; empty for all, and Embree
+    std::vector<int> measuredSampleCounts{1, 2, 4, 8, 16};  ///< samples per pixel
+    std::vector<int> measuredMaps{512};
+    std::vector<int> historyFrames;         ///< not empty for the convergence of a static picture instead
+    std::string variedSetting;              ///< a computed scene's setting, "cubes.count"; empty for none
+    std::vector<std::string> variedValues;  ///< the values that it takes, checked
+    bool effects = false;                   ///< what each thing that moves costs instead
+    int rounds = 3;                         ///< how often each point is timed, each with a seed of its own
+    int referenceSamples = 256;             ///< samples per pixel of the reference
+};
+
+}  // namespace timeshade

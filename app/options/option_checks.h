@@ -1,0 +1,62 @@
+#pragma once
+
+#include <charconv>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace timeshade {
+
+/// Checks of values, our own: CLI11's ranges let NaN pass, its words may also be given as numbers, and the messages of
+/// both leave out what was expected or say more than that.
+template <typename T>
+CLI::Validator numberFrom(T low, T high) {
+    return CLI::Validator(
+        [low, high](const std::string& text) {
+            T number{};
+            const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+            const bool good =
+                failure == std::errc{} && rest == text.data() + text.size() && number >= low && number <= high;
+            return good ? std::string{}
+                        : fmt::format("'{}' given, expected a {} from {} to {}", text,
+                                      std::is_integral_v<T> ? "whole number" : "number", low, high);
+        },
+        fmt::format("{} to {}", low, high));
+}
+
+inline CLI::Validator notEmpty(const std::string& expected) {
+    return CLI::Validator(
+        [expected](const std::string& text) { return text.empty() ? "'' given, expected " + expected : ""; }, "");
+}
+
+/// Replaces a word by its enumerator's number, which is how CLI11 reads enumerations.
+template <typename Enum>
+CLI::Validator oneOf(const std::vector<std::pair<std::string, Enum>>& words) {
+    return CLI::Validator(
+        [words](std::string& text) {
+            std::string known;
+            for (const auto& [word, value] : words) {
+                if (word == text) {
+                    text = std::to_string(static_cast<int>(value));
+                    return std::string{};
+                }
+                known += (known.empty() ? "" : ", ") + word;
+            }
+            return fmt::format("'{}' given, expected one of {}", text, known);
+        },
+        "");
+}
+
+/// Of an option that stands in a settings file and on the command line, or twice, the last counts.
+inline constexpr auto lastWins = CLI::MultiOptionPolicy::TakeLast;
+
+void declareSamples(CLI::App& app, int& samplesPerPixel);
+void declareMapSize(CLI::App& app, int& mapSize, const std::string& help);
+/// Names of built-in scenes, and that a file may be given too.
+CLI::Option* declareScene(CLI::App& app, std::string& scene);
+
+}  // namespace timeshade
