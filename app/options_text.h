@@ -8,8 +8,6 @@
 
 namespace timeshade {
 
-/// A setting's value as --set takes it; the same value when it is read again, and as short as that allows.
-
 /// It is not at its default.
 bool isChanged(const Setting& setting);
 

@@ -2,7 +2,7 @@
 
 namespace timeshade {
 
-/// Progress of brute force on standard error where that is a terminal: one line that is written over and wiped at the
+/// Progress of long work on standard error where that is a terminal: one line that is written over and wiped at the
 /// end.
 class Progress {
   public:

@@ -30,7 +30,7 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
                                            motion.movingInstances, motion.instances, motion.nonTranslatingInstances,
                                            motion.triangles - motion.reclassified, motion.triangles)});
     if (plan.request.forceDynamic)
-        lines.push_back({"no plan", "every triangle is treated as moving, and nothing is kept"});
+        lines.push_back({"force dynamic", "every triangle is treated as dynamic, and nothing is cached"});
     if (const std::string words = warmUpWords(technique, plan.request); !words.empty())
         lines.push_back({"first", words});
     const auto add = [&](const PassDecision& pass) {
@@ -41,8 +41,8 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
     };
     for (const PassDecision& pass : plan.passes) add(pass);
     for (const PassDecision& pass : technique.passes(plan)) add(pass);
-    if (const auto reason = technique.unsupported(plan)) lines.push_back({"CANNOT", *reason});
-    for (const std::string& warning : plan.warnings) lines.push_back({"beware", warning});
+    if (const auto reason = technique.unsupported(plan)) lines.push_back({"unsupported", *reason});
+    for (const std::string& warning : plan.warnings) lines.push_back({"warning", warning});
     return lines;
 }
 
@@ -68,7 +68,7 @@ std::string countedInWords(const Technique& technique) {
     std::string text;
     for (const TechniqueStatistic& figure : technique.statistics()) {
         text += fmt::format("counted         {}: {}\n", figure.name, inWords(figure));
-        if (!figure.warning.empty()) text += fmt::format("beware          {}\n", figure.warning);
+        if (!figure.warning.empty()) text += fmt::format("warning         {}\n", figure.warning);
     }
     return text;
 }
@@ -96,6 +96,8 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
     json["map"] = request.mapSize;
     json["seed"] = request.seed;
     json["frame"] = request.frame;
+    if (request.forceDynamic) json["force_dynamic"] = true;
+    if (!request.useCaches) json["caches"] = false;
     if (warmUpCount(technique) > 0)
         json["warm_up"] = {{"frames_before", technique.warmUpFrames()}, {"times_held", technique.heldFrames()}};
     json["fps"] = request.shutter.framesPerSecond;

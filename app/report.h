@@ -16,7 +16,7 @@ struct PlanLine {
 };
 std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device);
 
-/// The plan in words: what moves, which passes run, why, and what to beware of.
+/// The plan in words: what moves, which passes run, why, and warnings.
 std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device);
 
 /// What the technique counted in the frame drawn last, a line each, with what it means where that is not right; empty

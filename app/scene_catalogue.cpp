@@ -24,7 +24,7 @@ const std::vector<BuiltInScene>& builtInScenes() {
         std::vector<BuiltInScene> all{
             {"chess", "a game in motion: a knight leaps, a queen slides, a captured rook rolls"},
             {"octopus", "eight arms that curl over sand, each at its own speed: deforming casters, crossing shadows"},
-            {"pillars", "still pillars under a light that rises within the shutter"},
+            {"pillars", "static pillars under a light that rises within the shutter"},
         };
         for (const RecipeDescription& recipe : recipeDescriptions()) all.push_back({recipe.name, recipe.summary, true});
         return all;

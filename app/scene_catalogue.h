@@ -22,7 +22,7 @@ using SettingTexts = std::vector<std::pair<std::string, std::string>>;
 /// The scenes that come with the program: files under assets/scenes, read like any other, and the computed ones.
 const std::vector<BuiltInScene>& builtInScenes();
 
-/// The hard cases with exact answers that have a picture, named case:NAME. Made, not read from files.
+/// The analytic cases that have a picture, named case:NAME. Made, not read from files.
 const std::vector<BuiltInScene>& caseScenes();
 
 /// The first look at the program, and what `measure` takes where no scene is named: those that are files.

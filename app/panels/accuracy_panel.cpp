@@ -60,7 +60,7 @@ void drawChartOf(Session& session, Widgets& widgets) {
 /// The technique to be held against the current one; by default the next in the list.
 std::string drawOther(Session& session, Widgets& widgets) {
     const std::vector<TechniqueDescription>& all = techniqueDescriptions();
-    const std::string& now = session.technique->description().name;
+    const std::string& now = session.technique.name();
     std::vector<std::string> names;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (all[i].name != now) names.push_back(all[i].name);

@@ -14,7 +14,7 @@ constexpr ImGuiWindowFlags boxFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindo
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
-/// A box over the picture; (0.5, 0.5) is its middle. Its text wraps within the picture.
+/// A box over the picture; (0.5, 0.5) is its centre. Its text wraps within the picture.
 void beginBox(const char* name, const Area& picture, ImVec2 place, float width, const ImVec4& border) {
     ImGui::SetNextWindowPos(
         {picture.position.x + place.x * picture.size.x, picture.position.y + place.y * picture.size.y},
@@ -37,7 +37,7 @@ void endBox() {
 
 void drawFailure(const Session& session, Widgets& widgets, const Area& picture) {
     beginBox("failure", picture, {0.5f, 0.5f}, 420.0f * widgets.scale(), theme::bad);
-    ImGui::TextColored(theme::bad, "This frame can't be drawn");
+    ImGui::TextColored(theme::bad, "This frame can't be rendered");
     ImGui::TextUnformatted(session.driver.failure().c_str());
     widgets.dump().lastItem("failure", session.driver.failure());
     ImGui::TextColored(theme::quiet, "Change the technique, the scene or a setting to go on.");
@@ -46,12 +46,12 @@ void drawFailure(const Session& session, Widgets& widgets, const Area& picture) 
 
 void drawShaderLog(const Session& session, Widgets& widgets, const Area& picture) {
     beginBox("shaders", picture, {0.5f, 0.12f}, 520.0f * widgets.scale(), theme::bad);
-    ImGui::TextColored(theme::bad, "Shaders can't be built: the last good ones stay");
+    ImGui::TextColored(theme::bad, "Shaders can't be built: the last good ones stay in use");
     constexpr std::size_t shown = 6;
-    for (std::size_t i = 0; i < std::min(shown, session.shaderLog.size()); ++i)
-        ImGui::TextUnformatted(session.shaderLog[i].c_str());
-    if (session.shaderLog.size() > shown) ImGui::Text("and %zu more", session.shaderLog.size() - shown);
-    widgets.dump().lastItem("shaders", session.shaderLog);
+    for (std::size_t i = 0; i < std::min(shown, session.shaders.log.size()); ++i)
+        ImGui::TextUnformatted(session.shaders.log[i].c_str());
+    if (session.shaders.log.size() > shown) ImGui::Text("and %zu more", session.shaders.log.size() - shown);
+    widgets.dump().lastItem("shaders", session.shaders.log);
     endBox();
 }
 
@@ -60,15 +60,15 @@ void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
     Area inside = picture;
     inside.size.y = std::max(1.0f, inside.size.y - 14.0f * widgets.scale());
     beginBox("notice", inside, {0.5f, 1.0f}, 520.0f * widgets.scale(),
-             session.notice->bad ? theme::bad : theme::accent);
-    ImGui::TextUnformatted(session.notice->text.c_str());
-    widgets.dump().lastItem("notice", session.notice->text);
+             session.notices.current()->bad ? theme::bad : theme::accent);
+    ImGui::TextUnformatted(session.notices.current()->text.c_str());
+    widgets.dump().lastItem("notice", session.notices.current()->text);
     endBox();
 }
 
 /// Fills the row; left out where the picture behind has little room.
 void drawPagePicture(Session& session, Widgets& widgets, const Area& picture, float width, const std::string& shown) {
-    const std::string& name = session.technique->description().name;
+    const std::string& name = session.technique.name();
     if (picture.size.y < 520.0f * widgets.scale() || picture.size.x < width + 60.0f) return;
     const gl::Texture* texture = session.pagePictures.of(name);
     if (texture == nullptr) return;
@@ -80,7 +80,7 @@ void drawPagePicture(Session& session, Widgets& widgets, const Area& picture, fl
 }
 
 void drawPage(Session& session, Widgets& widgets, const Area& picture) {
-    const TechniqueDescription& technique = session.technique->description();
+    const TechniqueDescription& technique = session.technique.current().description();
     const TechniquePage page = pageOf(technique.name);
     const float width = 460.0f * widgets.scale();
     beginBox("page", picture, {0.5f, 0.5f}, width, ImGui::GetStyle().Colors[ImGuiCol_Border]);
@@ -96,28 +96,28 @@ void drawPage(Session& session, Widgets& widgets, const Area& picture) {
     drawPagePicture(session, widgets, picture, width, page.shown);
     paragraph("Look at", page.look);
     widgets.dump().lastItem("page", technique.name);
-    if (widgets.button("page.close", "Close")) session.pageVisible = false;
+    if (widgets.button("page.close", "Close")) session.panels.pageVisible = false;
     endBox();
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
     static constexpr std::array<std::array<const char*, 2>, 24> keys{
         {{"space", "play or pause"},
-         {"left, right", "a frame back or on"},
-         {", and .", "one instant of the shutter, back or on"},
+         {"left, right", "previous, next frame"},
+         {", and .", "previous, next instant of the shutter"},
          {"Ctrl-R", "start or stop recording"},
          {"1 .. 9", "technique"},
          {"I", "about the technique"},
          {"V", "next view"},
-         {"F", "hold: the second technique of a comparison"},
-         {"X", "exchange the techniques that are compared"},
+         {"F", "hold: show B of a comparison"},
+         {"X", "swap A/B of a comparison"},
          {"P", "save the picture"},
          {"Shift-P", "save it as EXR, in linear light"},
          {"M", "magnify the pixel under the mouse, with its samples"},
-         {"F5", "load all shaders anew"},
+         {"F5", "reload shaders"},
          {"? or F1", "show or hide this list"},
          {"H", "hide or show the panels"},
-         {"R", "the scene's camera"},
+         {"R", "reset to the scene's camera"},
          {"drag", "orbit"},
          {"right-drag", "pan (or Shift and drag)"},
          {"wheel", "zoom"},
@@ -136,7 +136,7 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
         }
         ImGui::EndTable();
     }
-    if (widgets.button("keys.close", "Close")) session.keysVisible = false;
+    if (widgets.button("keys.close", "Close")) session.panels.keysVisible = false;
     endBox();
 }
 
@@ -146,11 +146,11 @@ void drawOverlays(Session& session, Widgets& widgets, const Area& picture) {
     const float least = 60.0f * widgets.scale();
     if (picture.size.x < least || picture.size.y < least) return;
     if (session.driver.state() == FrameDriver::State::Failed) drawFailure(session, widgets, picture);
-    if (!session.shaderLog.empty()) drawShaderLog(session, widgets, picture);
+    if (!session.shaders.log.empty()) drawShaderLog(session, widgets, picture);
     drawProbe(session, widgets, picture);
-    if (session.pageVisible) drawPage(session, widgets, picture);
-    if (session.keysVisible) drawKeys(session, widgets, picture);
-    if (session.notice) drawNotice(session, widgets, picture);
+    if (session.panels.pageVisible) drawPage(session, widgets, picture);
+    if (session.panels.keysVisible) drawKeys(session, widgets, picture);
+    if (session.notices.current()) drawNotice(session, widgets, picture);
 }
 
 }  // namespace timeshade

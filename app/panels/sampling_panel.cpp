@@ -11,20 +11,20 @@ namespace {
 void drawMapSize(Session& session, Widgets& widgets) {
     std::vector<int> sizes;
     for (int size = 64; size <= maximumMapSize; size *= 2) sizes.push_back(size);
-    int& mapSize = session.request.mapSize;
+    int& mapSize = session.moment.request.mapSize;
     if (std::find(sizes.begin(), sizes.end(), mapSize) == sizes.end()) sizes.push_back(mapSize);
     std::vector<std::string> names;
     for (const int size : sizes) names.push_back(fmt::format("{0} × {0}", size));
     const auto current = static_cast<std::size_t>(std::find(sizes.begin(), sizes.end(), mapSize) - sizes.begin());
     if (const auto chosen =
-            widgets.combo("map", "Light's map", names, current,
-                          "Texels of the light's map. Finer shadows; memory and time grow with the square."))
+            widgets.combo("map", "Shadow map size", names, current,
+                          "Texels of the shadow map. Finer shadows; memory and time grow with the square."))
         mapSize = sizes[*chosen];
 }
 
 void drawShutter(Session& session, Widgets& widgets) {
-    const SceneDefaults& defaults = session.scene->defaults();
-    Shutter shutter = session.request.shutter;
+    const SceneDefaults& defaults = session.scene.current().defaults();
+    Shutter shutter = session.moment.request.shutter;
     Widgets::Number length;
     length.maximum = shutter.length > 2.0 ? 16.0 : 2.0;
     length.most = 16.0;
@@ -34,9 +34,9 @@ void drawShutter(Session& session, Widgets& widgets) {
         "How long the shutter is open. 1 frame is 360 degrees; film uses half of that. Ctrl-click to type up to 16.";
     bool changed = widgets.slider("shutter", "Shutter", shutter.length, length);
 
-    const auto position = widgets.combo("shutter.position", "Position", {"start", "centre", "end"},
-                                        static_cast<std::size_t>(shutter.position),
-                                        "Where the frame's instant lies in the time that the shutter is open.");
+    const auto position = widgets.combo(
+        "shutter.position", "Shutter position", {"Start", "Centre", "End"}, static_cast<std::size_t>(shutter.position),
+        "Where the frame's instant lies in the time that the shutter is open.", {"start", "centre", "end"});
     if (position) shutter.position = static_cast<ShutterPosition>(*position);
 
     Widgets::Number rate;
@@ -44,12 +44,12 @@ void drawShutter(Session& session, Widgets& widgets) {
     rate.maximum = 120.0;
     rate.least = 0.1;
     rate.most = 10000.0;
-    rate.format = "%.4g a second";
+    rate.format = "%.4g fps";
     rate.logarithmic = true;
     rate.defaultValue = defaults.framesPerSecond;
     rate.help = "Frames per second. Fewer make each frame, and so the blur, longer.";
-    changed = widgets.slider("fps", "Frames", shutter.framesPerSecond, rate) || changed;
-    if (changed || position) session.setShutter(shutter);
+    changed = widgets.slider("fps", "Frame rate", shutter.framesPerSecond, rate) || changed;
+    if (changed || position) session.moment.setShutter(shutter, session.scene.current().duration());
 }
 
 }  // namespace
@@ -59,12 +59,12 @@ void drawSamplingPanel(Session& session, Widgets& widgets) {
     Widgets::Number samples;
     samples.minimum = 1.0;
     samples.maximum = maximumSamplesPerPixel;
-    samples.format = "%d a pixel";
+    samples.format = "%d";
     samples.defaultValue = 8.0;
     samples.help =
-        "Camera samples of each pixel, one per stratum of the shutter. Less noise; time in proportion. Brute force "
-        "draws as many as it has renders.";
-    widgets.slider("spp", "Samples", session.request.samplesPerPixel, samples);
+        "Camera samples of each pixel, one per stratum of the shutter. Less noise; time in proportion. A "
+        "technique that accumulates renders draws as many as it has renders.";
+    widgets.slider("spp", "Samples per pixel", session.moment.request.samplesPerPixel, samples);
     drawMapSize(session, widgets);
     drawShutter(session, widgets);
     Widgets::Number seed;
@@ -72,9 +72,9 @@ void drawSamplingPanel(Session& session, Widgets& widgets) {
     seed.format = "%d";
     seed.help = "Of all random numbers. The same seed gives the same picture.";
     // ImGui's sliders stop the program where an end lies beyond half of the whole numbers.
-    int value = static_cast<int>(std::min(session.request.seed, 0x3fffffffu));
+    int value = static_cast<int>(std::min(session.moment.request.seed, 0x3fffffffu));
     if (value > 100) seed.maximum = value;
-    if (widgets.slider("seed", "Seed", value, seed)) session.request.seed = static_cast<std::uint32_t>(value);
+    if (widgets.slider("seed", "Seed", value, seed)) session.moment.request.seed = static_cast<std::uint32_t>(value);
 }
 
 }  // namespace timeshade

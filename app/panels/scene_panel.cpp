@@ -10,25 +10,25 @@ namespace timeshade {
 
 namespace {
 
-/// The hard cases, in a list of their own: there are many.
+/// The analytic cases, in a list of their own: there are many.
 void drawCaseList(Session& session, Widgets& widgets) {
-    std::vector<std::string> names{"hard cases"};
+    std::vector<std::string> names{"Analytic cases"};
     std::size_t current = 0;
     for (const BuiltInScene& scene : caseScenes()) {
-        if (scene.name == session.sceneName) current = names.size();
+        if (scene.name == session.scene.name()) current = names.size();
         names.push_back(scene.name);
     }
     if (const auto chosen = widgets.combo("scene.case", "", names, current, ""))
-        if (*chosen != current && *chosen > 0) session.wishedScene = names[*chosen];
+        if (*chosen != current && *chosen > 0) session.requests.scene = names[*chosen];
     if (current > 0) widgets.paragraph(caseScenes()[current - 1].summary, theme::quiet);
 }
 
 void drawClipList(Session& session, Widgets& widgets) {
-    const std::vector<std::string>& clips = session.scene->clips();
+    const std::vector<std::string>& clips = session.scene.current().clips();
     if (clips.size() < 2) return;
-    const auto chosen =
-        widgets.combo("scene.clip", "Clip", clips, session.scene->clip(), "Which of the file's animations plays.");
-    if (chosen && *chosen != session.scene->clip()) session.wishedClip = clips[*chosen];
+    const auto chosen = widgets.combo("scene.clip", "Clip", clips, session.scene.current().clip(),
+                                      "Which of the file's animations plays.");
+    if (chosen && *chosen != session.scene.current().clip()) session.requests.clip = clips[*chosen];
 }
 
 }  // namespace
@@ -37,35 +37,36 @@ void drawScenePanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.scene", "Scene", true)) return;
     std::vector<std::string> names;
     for (const BuiltInScene& scene : builtInScenes()) names.push_back(scene.name);
-    auto current = static_cast<std::size_t>(std::find(names.begin(), names.end(), session.sceneName) - names.begin());
+    auto current =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), session.scene.name()) - names.begin());
     const bool builtIn = current < names.size();
-    if (!builtIn) names.push_back(std::filesystem::path(session.sceneName).filename().string());
+    if (!builtIn) names.push_back(std::filesystem::path(session.scene.name()).filename().string());
     if (const auto chosen = widgets.combo("scene", "", names, current, ""))
-        if (*chosen != current) session.wishedScene = names[*chosen];
+        if (*chosen != current) session.requests.scene = names[*chosen];
     drawCaseList(session, widgets);
     if (builtIn) widgets.paragraph(builtInScenes()[current].summary, theme::quiet);
-    if (session.recipe != nullptr && drawSettings(*session.recipe, "scene.reset", widgets))
-        session.wishedRebuild = true;
+    if (session.scene.recipe() != nullptr && drawSettings(*session.scene.recipe(), "scene.reset", widgets))
+        session.requests.rebuild = true;
 
     const float width = 52.0f * widgets.scale();
-    const bool entered = widgets.field("scene.path", "path of a .gltf or .glb file", session.scenePath,
+    const bool entered = widgets.field("scene.path", "path of a .gltf or .glb file", session.panels.scenePath,
                                        width + ImGui::GetStyle().ItemSpacing.x);
     ImGui::SameLine();
     const bool pressed = widgets.button("scene.open", "Open", width);
-    if ((entered || pressed) && !session.scenePath.empty()) session.wishedScene = session.scenePath;
-    if (!session.recentScenes.empty()) {
-        std::vector<std::string> recent{"opened before"};
-        for (const std::string& path : session.recentScenes)
+    if ((entered || pressed) && !session.panels.scenePath.empty()) session.requests.scene = session.panels.scenePath;
+    if (!session.recentFiles.paths().empty()) {
+        std::vector<std::string> recent{"Recent files"};
+        for (const std::string& path : session.recentFiles.paths())
             recent.push_back(std::filesystem::path(path).filename().string());
         if (const auto chosen = widgets.combo("scene.recent", "", recent, 0, ""))
-            if (*chosen > 0) session.wishedScene = session.recentScenes[*chosen - 1];
+            if (*chosen > 0) session.requests.scene = session.recentFiles.paths()[*chosen - 1];
     }
     drawClipList(session, widgets);
-    if (!session.sceneError.empty()) {
-        widgets.paragraph(session.sceneError, theme::bad);
-        widgets.dump().lastItem("scene.error", session.sceneError);
+    if (!session.panels.sceneError.empty()) {
+        widgets.paragraph(session.panels.sceneError, theme::bad);
+        widgets.dump().lastItem("scene.error", session.panels.sceneError);
     }
-    for (const std::string& note : session.scene->notes()) widgets.paragraph("note: " + note, theme::warning);
+    for (const std::string& note : session.scene.current().notes()) widgets.paragraph("note: " + note, theme::warning);
 }
 
 }  // namespace timeshade

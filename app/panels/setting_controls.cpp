@@ -18,7 +18,7 @@ bool drawSetting(Setting setting, const std::string& owner, Widgets& widgets) {
         if (changed) setting.set(on ? 1.0 : 0.0);
         return changed;
     }
-    // A unit of several words does not fit into the slider.
+    // A unit of several words does not fit into the slider, and "1 seed" says nothing.
     const bool shortUnit = setting.unit.size() <= 8;
     Widgets::Number number;
     number.minimum = setting.minimum;
@@ -26,7 +26,7 @@ bool drawSetting(Setting setting, const std::string& owner, Widgets& widgets) {
     number.logarithmic = spansPowers(setting);
     number.defaultValue = setting.defaultValue;
     number.help = setting.help + (shortUnit ? "" : "\nIn " + setting.unit + ".");
-    const std::string unit = shortUnit ? " " + setting.unit : "";
+    const std::string unit = shortUnit && setting.unit != setting.key ? " " + setting.unit : "";
     if (setting.isWhole()) {
         number.format = "%d" + unit;
         int value = static_cast<int>(setting.get());

@@ -12,7 +12,7 @@ void drawHeader(Session& session, Widgets& widgets) {
     ImGui::PopFont();
     const float keys = 52.0f * widgets.scale();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - keys);
-    if (widgets.button("keys", "Keys", keys)) session.keysVisible = !session.keysVisible;
+    if (widgets.button("keys", "Keys", keys)) session.panels.keysVisible = !session.panels.keysVisible;
 
     const gl::DeviceInfo& device = session.renderer.device();
     if (device.software) {

@@ -10,35 +10,35 @@ namespace timeshade {
 namespace {
 
 void drawInstant(Session& session, Widgets& widgets) {
-    bool on = session.instant.has_value();
-    if (widgets.checkbox("instant.on", "One instant", on, false,
+    bool on = session.moment.instant.has_value();
+    if (widgets.checkbox("instant.on", "Single instant", on, false,
                          "Draws the scene, shadows too, at one instant of the shutter instead of all of it."))
-        session.instant = on ? std::optional<double>(0.5) : std::nullopt;
-    if (!session.instant) return;
+        session.moment.instant = on ? std::optional<double>(0.5) : std::nullopt;
+    if (!session.moment.instant) return;
     Widgets::Number number;
     number.format = "u = %.4f";
     number.help =
         "Where in the shutter: 0 where it opens, 1 where it closes. Comma and full stop step by a sixteenth; playing "
         "runs through the shutter.";
-    double u = *session.instant;
-    if (widgets.slider("instant", "Instant", u, number)) session.instant = std::clamp(u, 0.0, 1.0);
+    double u = *session.moment.instant;
+    if (widgets.slider("instant", "Instant", u, number)) session.moment.instant = std::clamp(u, 0.0, 1.0);
 }
 
 void drawPart(Session& session, Widgets& widgets) {
-    Playback& playback = session.playback;
+    Playback& playback = session.moment.playback;
     if (!playback.moves()) return;
     Widgets::Number speed;
     speed.minimum = 0.01;
     speed.maximum = 1.0;
     speed.logarithmic = true;
-    speed.format = "%.3g of real time";
+    speed.format = "%.3gx";
     speed.defaultValue = 1.0;
-    speed.help = "Slow motion of the playback. The frames stay what they are.";
+    speed.help = "1x is real time. The frames stay the same.";
     double value = playback.speed();
-    if (widgets.slider("speed", "Speed", value, speed)) playback.setSpeed(value);
+    if (widgets.slider("speed", "Playback speed", value, speed)) playback.setSpeed(value);
     Widgets::Number frame;
     frame.maximum = playback.loopFrames() - 1;
-    frame.format = "frame %d";
+    frame.format = "Frame %d";
     frame.help = "The part of the motion that is played again and again.";
     int first = playback.firstFrame(), last = playback.lastFrame();
     frame.defaultValue = 0.0;
@@ -53,7 +53,7 @@ void drawRecording(Session& session, Widgets& widgets) {
     Recording& recording = session.recording;
     const std::string text =
         recording.on() ? fmt::format("Stop recording ({} frames)", recording.frames()) : "Record (Ctrl-R)";
-    if (widgets.button("record", text, ImGui::GetContentRegionAvail().x)) session.wishedRecording = true;
+    if (widgets.button("record", text, ImGui::GetContentRegionAvail().x)) session.requests.recording = true;
     widgets.paragraph("Frame by frame from the one that is shown, each drawn whole, as H.264.", theme::quiet);
 }
 

@@ -11,30 +11,30 @@ namespace timeshade {
 namespace {
 
 void drawTransport(Session& session, Widgets& widgets) {
-    Playback& playback = session.playback;
+    Playback& playback = session.moment.playback;
     if (!playback.moves()) {
         ImGui::AlignTextToFramePadding();
-        widgets.paragraph("nothing moves in this scene", theme::quiet);
+        widgets.paragraph("Static scene: nothing moves", theme::quiet);
         return;
     }
     const float side = 24.0f * widgets.scale();
     if (widgets.iconButton("play", playback.playing() ? Icon::Pause : Icon::Play,
-                           playback.playing() ? "pause (space)" : "play (space)", side))
+                           playback.playing() ? "Pause (space)" : "Play (space)", side))
         playback.play(!playback.playing());
     ImGui::SameLine(0.0f, 2.0f * widgets.scale());
-    if (widgets.iconButton("step.back", Icon::StepBack, "a frame back (left)", side)) playback.step(-1);
+    if (widgets.iconButton("step.back", Icon::StepBack, "Previous frame (left)", side)) playback.step(-1);
     ImGui::SameLine(0.0f, 2.0f * widgets.scale());
-    if (widgets.iconButton("step.forward", Icon::StepForward, "a frame on (right)", side)) playback.step(1);
+    if (widgets.iconButton("step.forward", Icon::StepForward, "Next frame (right)", side)) playback.step(1);
     ImGui::SameLine();
     int frame = playback.frameInLoop();
     // A frame from the command line may lie anywhere; it is shown as it is until it is moved.
-    const std::string format = fmt::format("frame {:.6g} of {}", playback.frame(), playback.loopFrames());
+    const std::string format = fmt::format("Frame {:.6g} of {}", playback.frame(), playback.loopFrames());
     ImGui::SetNextItemWidth(std::max(20.0f * widgets.scale(), ImGui::GetContentRegionAvail().x));
     if (ImGui::SliderInt("##scrub", &frame, 0, playback.loopFrames() - 1, format.c_str(),
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
         playback.play(false);
         playback.jump(frame);
-        session.technique->forget();
+        session.technique.current().forget();
         if (session.comparison.on()) session.comparison.technique()->forget();
     }
     widgets.dump().lastItem("scrub", playback.frame());
@@ -45,8 +45,8 @@ void drawProgress(Session& session, Widgets& widgets) {
     const bool stopped = session.driver.state() == FrameDriver::State::Cancelled;
     const float width = 90.0f * widgets.scale();
     const float bar = ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x;
-    const std::string text = stopped ? fmt::format("stopped: average of {} of {} renders", done, all)
-                                     : fmt::format("render {} of {}", done, all);
+    const std::string text = stopped ? fmt::format("Stopped: average of {} of {} renders", done, all)
+                                     : fmt::format("Render {} of {}", done, all);
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram,
                           stopped ? ImVec4(0.35f, 0.37f, 0.40f, 1.0f) : ImVec4(0.23f, 0.38f, 0.53f, 1.0f));
     ImGui::ProgressBar(static_cast<float>(done) / static_cast<float>(std::max(1, all)),
@@ -62,15 +62,16 @@ void drawProgress(Session& session, Widgets& widgets) {
 }
 
 std::string statusOf(const Session& session) {
-    if (session.driver.state() == FrameDriver::State::Failed) return "this frame can't be drawn";
-    if (!session.driver.hasPlan()) return "no picture yet";
+    if (session.driver.state() == FrameDriver::State::Failed) return "This frame can't be rendered";
+    if (!session.driver.hasPlan()) return "Rendering first frame...";
     const FrameRequest& drawn = session.renderer.plan().request;
     const int samples = session.renderer.renders() > 1 ? session.renderer.renders() : drawn.samplesPerPixel;
     const FrameTimes& times = session.driver.times();
     const std::string cost = times.frames() > 0 ? fmt::format(", {:.4g} ms", times.medianTotal()) : "";
+    const char* unit = session.renderer.renders() > 1 ? "renders" : "spp";
     const std::string size =
-        fmt::format("{} × {}, {} samples a pixel, map {}", drawn.width, drawn.height, samples, drawn.mapSize);
-    return session.driver.preview() ? "moving: " + size + cost : size + cost;
+        fmt::format("{} x {}, {} {}, map {}", drawn.width, drawn.height, samples, unit, drawn.mapSize);
+    return session.driver.preview() ? "Preview " + size + cost : size + cost;
 }
 
 }  // namespace

@@ -46,15 +46,16 @@ void drawScale(const TechniqueView& view, Widgets& widgets) {
 
 /// What the technique itself has to show.
 void drawTechniqueViews(Session& session, Widgets& widgets) {
-    const std::vector<TechniqueView> views = session.technique->views();
+    const std::vector<TechniqueView> views = session.technique.current().views();
     if (views.empty()) return;
     std::vector<std::string> names;
     std::size_t current = views.size();
     for (const TechniqueView& view : views) {
-        if (view.name == session.techniqueView && session.diagnostic == Diagnostic::None) current = names.size();
+        if (view.name == session.view.ofTechnique && session.view.diagnostic == Diagnostic::None)
+            current = names.size();
         names.push_back(view.name);
     }
-    if (const auto chosen = widgets.choice("view.own", names, current)) session.showView(names[*chosen]);
+    if (const auto chosen = widgets.choice("view.own", names, current)) session.view.show(names[*chosen]);
     if (current == views.size()) return;
     widgets.paragraph(views[current].title, theme::quiet);
     drawScale(views[current], widgets);
@@ -64,44 +65,45 @@ void drawTechniqueViews(Session& session, Widgets& widgets) {
 
 void drawViewPanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.view", "View", true)) return;
-    const auto diagnostic = static_cast<std::size_t>(session.diagnostic);
+    const auto diagnostic = static_cast<std::size_t>(session.view.diagnostic);
     constexpr std::size_t none = 2;
-    const bool ofLight = diagnostic == 0 && session.techniqueView.empty();
+    const bool ofLight = diagnostic == 0 && session.view.ofTechnique.empty();
     if (const auto chosen =
-            widgets.choice("view", {"final", "visibility"}, ofLight ? static_cast<std::size_t>(session.view) : none))
-        session.showView(*chosen == 0 ? "final" : "visibility");
-    if (const auto chosen =
-            widgets.choice("view", {"error", "disagreement"}, diagnostic == 0 ? none : diagnostic - 1)) {
-        session.showView("final");
-        session.diagnostic = static_cast<Diagnostic>(*chosen + 1);
+            widgets.choice("view", {"Final", "Shadow visibility"},
+                           ofLight ? static_cast<std::size_t>(session.view.light) : none, {"final", "visibility"}))
+        session.view.show(*chosen == 0 ? "final" : "visibility");
+    if (const auto chosen = widgets.choice("view", {"Image error", "Wrong shadow samples"},
+                                           diagnostic == 0 ? none : diagnostic - 1, {"error", "disagreement"})) {
+        session.view.show("final");
+        session.view.diagnostic = static_cast<Diagnostic>(*chosen + 1);
     }
     drawTechniqueViews(session, widgets);
     const DiagnosticPicture& compared = session.diagnosticPicture;
-    if (session.diagnostic != Diagnostic::None)
+    if (session.view.diagnostic != Diagnostic::None)
         widgets.paragraph(compared.caption(), compared.failed()     ? theme::bad
                                               : compared.complete() ? theme::quiet
                                                                     : theme::warning);
-    if (session.view == View::Visibility && session.techniqueView.empty())
+    if (session.view.light == View::Visibility && session.view.ofTechnique.empty())
         widgets.paragraph("The lit share of each pixel's camera samples: white lit, black shadowed.", theme::quiet);
     const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (widgets.button("screenshot", "Save PNG (P)", half)) session.wishedScreenshot = true;
+    if (widgets.button("screenshot", "Save PNG (P)", half)) session.requests.screenshot = true;
     ImGui::SameLine();
     if (widgets.button("screenshot.exr", "Save EXR (Shift-P)", half))
-        session.wishedScreenshot = session.wishedExr = true;
-    if (!session.lastScreenshot.empty()) {
-        widgets.paragraph(session.lastScreenshot, theme::quiet);
-        widgets.dump().lastItem("screenshot.path", session.lastScreenshot);
+        session.requests.screenshot = session.requests.exr = true;
+    if (!session.screenshots.lastPath().empty()) {
+        widgets.paragraph(session.screenshots.lastPath(), theme::quiet);
+        widgets.dump().lastItem("screenshot.path", session.screenshots.lastPath());
     }
     static constexpr double steps[] = {0.75, 1.0, 1.25, 1.5, 2.0, 2.5};
     std::vector<std::string> names;
     std::size_t current = 1;
     for (const double step : steps) {
-        if (step == session.textScale) current = names.size();
+        if (step == session.panels.textScale) current = names.size();
         names.push_back(fmt::format("{:.0f} %", 100.0 * step));
     }
     if (const auto chosen = widgets.combo("text.size", "Text size", names, current,
                                           "Of all panels, on top of what the display asks for."))
-        session.textScale = steps[*chosen];
+        session.panels.textScale = steps[*chosen];
 }
 
 }  // namespace timeshade

@@ -13,7 +13,7 @@ namespace timeshade {
 
 namespace {
 
-constexpr float labelWidth = 104.0f, marksWidth = 42.0f;
+constexpr float labelWidth = 122.0f, marksWidth = 42.0f;
 
 void tooltip(const std::string& text) {
     ImGui::BeginTooltip();
@@ -118,7 +118,7 @@ bool Widgets::reset(const std::string& id, bool differs) {
     if (!differs) return false;
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 15.0f * scale_);
-    return iconButton(id + ".reset", Icon::Reset, "back to the default", 15.0f * scale_);
+    return iconButton(id + ".reset", Icon::Reset, "Reset to default", 15.0f * scale_);
 }
 
 bool Widgets::slider(const std::string& id, const std::string& label, double& value, const Number& number) {
@@ -164,7 +164,7 @@ bool Widgets::checkbox(const std::string& id, const std::string& label, bool& va
 
 std::optional<std::size_t> Widgets::combo(const std::string& id, const std::string& label,
                                           const std::vector<std::string>& entries, std::size_t current,
-                                          const std::string& helpText) {
+                                          const std::string& helpText, const std::vector<std::string>& ids) {
     std::optional<std::size_t> chosen;
     beginRow(label);
     if (label.empty() && helpText.empty()) ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -175,7 +175,7 @@ std::optional<std::size_t> Widgets::combo(const std::string& id, const std::stri
         for (std::size_t i = 0; i < entries.size(); ++i) {
             ImGui::PushID(static_cast<int>(i));
             if (ImGui::Selectable(entries[i].c_str(), i == current)) chosen = i;
-            dump_.lastItem(id + "/" + entries[i], i == current);
+            dump_.lastItem(id + "/" + (ids.empty() ? entries : ids)[i], i == current);
             ImGui::PopID();
         }
         ImGui::EndCombo();
@@ -185,7 +185,7 @@ std::optional<std::size_t> Widgets::combo(const std::string& id, const std::stri
 }
 
 std::optional<std::size_t> Widgets::choice(const std::string& id, const std::vector<std::string>& entries,
-                                           std::size_t current) {
+                                           std::size_t current, const std::vector<std::string>& ids) {
     std::optional<std::size_t> chosen;
     const float gap = 2.0f * scale_;
     const float count = static_cast<float>(entries.size());
@@ -196,7 +196,7 @@ std::optional<std::size_t> Widgets::choice(const std::string& id, const std::vec
         if (down) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.23f, 0.38f, 0.53f, 1.0f));
         if (ImGui::Button((entries[i] + "##" + id).c_str(), {std::max(width, 1.0f), 0.0f})) chosen = i;
         if (down) ImGui::PopStyleColor();
-        dump_.lastItem(id + "/" + entries[i], down);
+        dump_.lastItem(id + "/" + (ids.empty() ? entries : ids)[i], down);
     }
     return chosen;
 }

@@ -39,13 +39,13 @@ class Widgets {
     bool slider(const std::string& id, const std::string& label, int& value, const Number& number);
     bool checkbox(const std::string& id, const std::string& label, bool& value, bool defaultValue,
                   const std::string& help);
-    /// The entry that was chosen just now.
+    /// The entry that was chosen just now. `ids` name the entries in the dump; empty for the entries' own text.
     std::optional<std::size_t> combo(const std::string& id, const std::string& label,
                                      const std::vector<std::string>& entries, std::size_t current,
-                                     const std::string& help);
-    /// Buttons side by side, one of which is down. The one that was pressed just now.
+                                     const std::string& help, const std::vector<std::string>& ids = {});
+    /// Buttons side by side, one of which is down. The one that was pressed just now. `ids` as for combo.
     std::optional<std::size_t> choice(const std::string& id, const std::vector<std::string>& entries,
-                                      std::size_t current);
+                                      std::size_t current, const std::vector<std::string>& ids = {});
     bool button(const std::string& id, const std::string& text, float width = 0.0f);
     bool iconButton(const std::string& id, Icon icon, const char* tooltip, float side);
     /// Text typed into a field that fills the row up to `reserved`. True when Enter is pressed.

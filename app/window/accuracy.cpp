@@ -33,13 +33,12 @@ std::optional<std::size_t> rendersPlace(const std::string& technique) {
 
 /// What the session would set another technique to if it were chosen.
 ProbeSubject otherSubject(Session& session, const std::string& technique) {
-    const auto kept = session.cachedSettings.find(technique);
-    if (kept != session.cachedSettings.end())
-        return {technique, kept->second, session.request.samplesPerPixel, session.request.mapSize};
+    if (const std::vector<double>* left = session.technique.settingsLeft(technique))
+        return {technique, *left, session.moment.request.samplesPerPixel, session.moment.request.mapSize};
     TechniqueOptions chosen = session.options;
     chosen.technique = technique;
-    return {technique, valuesOf(*techniqueFor(chosen, session.renderer.programs())), session.request.samplesPerPixel,
-            session.request.mapSize};
+    return {technique, valuesOf(*techniqueFor(chosen, session.renderer.programs())),
+            session.moment.request.samplesPerPixel, session.moment.request.mapSize};
 }
 
 std::vector<int> sampleCountsFor(const std::string& technique) {
@@ -66,8 +65,8 @@ std::string amount(Accuracy::Level level, double value) {
 }  // namespace
 
 ProbeSubject subjectOf(const Session& session) {
-    return {session.technique->description().name, valuesOf(*session.technique), session.request.samplesPerPixel,
-            session.request.mapSize};
+    return {session.technique.name(), valuesOf(session.technique.current()), session.moment.request.samplesPerPixel,
+            session.moment.request.mapSize};
 }
 
 std::string sampleCountInWords(const ProbeSubject& subject) {
@@ -130,9 +129,9 @@ void Accuracy::finishMatch(Session& session) {
                                             amount(match.level, time ? match.of.milliseconds : match.of.rmse));
     if (search.outcome() == SampleCountSearch::Outcome::Found) {
         said_ = fmt::format("{}, as {}.", other, current);
-        session.cachedSettings[match.other.technique] = match.other.settings;
-        session.request.samplesPerPixel = match.other.samplesPerPixel;
-        session.wishedTechnique = match.other.technique;
+        session.technique.leaveSettings(match.other.technique, match.other.settings);
+        session.moment.request.samplesPerPixel = match.other.samplesPerPixel;
+        session.requests.technique = match.other.technique;
         session.accuracyOther = match.of.subject.technique;  // so that the buttons lead back
         session.notify(said_);
         return;
@@ -146,11 +145,11 @@ bool Accuracy::update(Session& session) {
     const int revisionBefore = revision_;
     const bool settled = session.driver.settled() && session.driver.hasPlan() && !session.driver.preview() &&
                          !session.driver.measuring();
-    if (!std::exchange(wanted_, false) || session.playback.playing() || !settled) {
+    if (!std::exchange(wanted_, false) || session.moment.playback.playing() || !settled) {
         state_ = State::Waiting;
         return before != State::Waiting;
     }
-    if (probe_.aim(*session.planner, session.sceneNumber, session.request)) clear();
+    if (probe_.aim(session.scene.planner(), session.scene.number(), session.moment.request)) clear();
     ProbeSubject now = subjectOf(session);
     if (now != now_) {
         now_ = std::move(now);

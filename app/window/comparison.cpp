@@ -1,4 +1,3 @@
-#include "core/setting.h"
 #include "window/comparison.h"
 
 #include <algorithm>
@@ -47,8 +46,7 @@ void Comparison::choose(std::unique_ptr<Technique> technique) {
 
 void Comparison::swap(Session& session) {
     if (!on()) return;
-    std::swap(technique_, session.technique);
-    session.techniqueChanged();
+    technique_ = session.technique.replace(std::move(technique_));
     ++number_;
 }
 
@@ -92,10 +90,11 @@ bool Comparison::updateDifference(Session& session) {
 
 bool Comparison::updateErrors(Session& session) {
     // What is measured is the whole shutter.
-    if (!settled(session) || session.playback.playing() || session.instant || session.recording.on()) return false;
-    if (probe_.aim(*session.planner, session.sceneNumber, session.request)) points_.clear();
-    for (Technique* technique : {session.technique.get(), technique_.get()}) {
-        const ProbeSubject subject = subjectOfTechnique(*technique, session.request);
+    if (!settled(session) || session.moment.playback.playing() || session.moment.instant || session.recording.on())
+        return false;
+    if (probe_.aim(session.scene.planner(), session.scene.number(), session.moment.request)) points_.clear();
+    for (Technique* technique : {&session.technique.current(), technique_.get()}) {
+        const ProbeSubject subject = subjectOfTechnique(*technique, session.moment.request);
         if (std::any_of(points_.begin(), points_.end(),
                         [&](const ProbePoint& point) { return point.subject == subject; }))
             continue;
@@ -108,29 +107,29 @@ bool Comparison::updateErrors(Session& session) {
 }
 
 std::string Comparison::label(const Session& session, bool ofSecond) const {
-    Technique& technique = ofSecond ? *technique_ : *session.technique;
-    std::string text = sampleCountLabel(variantOf(technique), technique, session.request.samplesPerPixel);
+    Technique& technique = ofSecond ? *technique_ : session.technique.current();
+    std::string text = sampleCountLabel(variantOf(technique), technique, session.moment.request.samplesPerPixel);
     const FrameTimes* times = !ofSecond ? &session.driver.times() : driver_ ? &driver_->times() : nullptr;
     if (times != nullptr && times->frames() > 0) text += fmt::format(", {:.4g} ms", times->medianTotal());
-    const ProbeSubject subject = subjectOfTechnique(technique, session.request);
+    const ProbeSubject subject = subjectOfTechnique(technique, session.moment.request);
     for (const ProbePoint& point : points_)
-        if (point.subject == subject) text += fmt::format(", error {:.3g}", point.rmse);
+        if (point.subject == subject) text += fmt::format(", RMSE {:.3g}", point.rmse);
     return text;
 }
 
 std::vector<std::string> Comparison::variants(Session& session) const {
-    return {variantOf(*session.technique), variantOf(*technique_)};
+    return {variantOf(session.technique.current()), variantOf(*technique_)};
 }
 
 DisplayImage Comparison::composedPicture(Session& session) {
     CompareOptions options = session.options;
     options.compareMode = mode;
     const std::vector<std::string> names = variants(session);
-    const int samples = session.request.samplesPerPixel;
-    return composedFor(
-        options, seam,
-        {sampleCountLabel(names[0], *session.technique, samples), sampleCountLabel(names[1], *technique_, samples)},
-        {session.renderer.readPicture(), renderer_->readPicture()}, PictureText());
+    const int samples = session.moment.request.samplesPerPixel;
+    return composedFor(options, seam,
+                       {sampleCountLabel(names[0], session.technique.current(), samples),
+                        sampleCountLabel(names[1], *technique_, samples)},
+                       {session.renderer.readPicture(), renderer_->readPicture()}, PictureText());
 }
 
 LinearImage Comparison::composedRadiance(Session& session) {
@@ -140,10 +139,10 @@ LinearImage Comparison::composedRadiance(Session& session) {
 std::string Comparison::manifests(Session& session) {
     nlohmann::ordered_json json;
     const auto add = [&](const FrameRenderer& renderer, Technique& technique, const FrameTimes& times) {
-        json["compare"].push_back(nlohmann::ordered_json::parse(
-            manifest(renderer, technique, session.sceneName, *session.scene, session.backEnd, times.medians())));
+        json["compare"].push_back(nlohmann::ordered_json::parse(manifest(
+            renderer, technique, session.scene.name(), session.scene.current(), session.backEnd, times.medians())));
     };
-    add(session.renderer, *session.technique, session.driver.times());
+    add(session.renderer, session.technique.current(), session.driver.times());
     add(*renderer_, *technique_, driver_->times());
     return json.dump(2) + "\n";
 }

@@ -19,47 +19,42 @@ constexpr double zoomPerNotch = 0.88;
 
 /// From one of the comparing views back to the first.
 void nextView(Session& session) {
-    const std::vector<std::string> names = session.viewNames();
-    const auto now = std::find(names.begin(), names.end(), session.viewName());
-    const bool last = now == names.end() || now + 1 == names.end() || session.diagnostic != Diagnostic::None;
-    session.showView(last ? names.front() : *(now + 1));
-}
-
-void stepInstant(Session& session, double by) {
-    session.playback.play(false);
-    session.instant = std::clamp(session.instant.value_or(by > 0.0 ? 0.0 - by : 1.0 - by) + by, 0.0, 1.0);
+    const std::vector<std::string> names = viewNames(session.technique.current());
+    const auto now = std::find(names.begin(), names.end(), session.view.name());
+    const bool last = now == names.end() || now + 1 == names.end() || session.view.diagnostic != Diagnostic::None;
+    session.view.show(last ? names.front() : *(now + 1));
 }
 
 void applyKey(Session& session, int key) {
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
         const auto index = static_cast<std::size_t>(key - GLFW_KEY_1);
-        if (index < techniqueDescriptions().size()) session.wishedTechnique = techniqueDescriptions()[index].name;
+        if (index < techniqueDescriptions().size()) session.requests.technique = techniqueDescriptions()[index].name;
         return;
     }
     switch (key) {
-    case GLFW_KEY_SPACE: session.playback.play(!session.playback.playing()); return;
-    case GLFW_KEY_LEFT: session.playback.step(-1); return;
-    case GLFW_KEY_RIGHT: session.playback.step(1); return;
-    case GLFW_KEY_COMMA: stepInstant(session, -1.0 / 16.0); return;
-    case GLFW_KEY_PERIOD: stepInstant(session, 1.0 / 16.0); return;
+    case GLFW_KEY_SPACE: session.moment.playback.play(!session.moment.playback.playing()); return;
+    case GLFW_KEY_LEFT: session.moment.playback.step(-1); return;
+    case GLFW_KEY_RIGHT: session.moment.playback.step(1); return;
+    case GLFW_KEY_COMMA: session.moment.stepInstant(-1.0 / 16.0); return;
+    case GLFW_KEY_PERIOD: session.moment.stepInstant(1.0 / 16.0); return;
     case GLFW_KEY_V: nextView(session); return;
-    case GLFW_KEY_X: session.wishedSwap = true; return;
-    case GLFW_KEY_P: session.wishedScreenshot = true; return;
-    case GLFW_KEY_H: session.panelsVisible = !session.panelsVisible; return;
-    case GLFW_KEY_R: session.useSceneCamera(session.request.cameraIndex); return;
-    case GLFW_KEY_I: session.pageVisible = !session.pageVisible; return;
+    case GLFW_KEY_X: session.requests.swap = true; return;
+    case GLFW_KEY_P: session.requests.screenshot = true; return;
+    case GLFW_KEY_H: session.panels.visible = !session.panels.visible; return;
+    case GLFW_KEY_R: session.camera.useSceneCamera(session.moment, session.moment.request.cameraIndex); return;
+    case GLFW_KEY_I: session.panels.pageVisible = !session.panels.pageVisible; return;
     case GLFW_KEY_F5: session.reloadShaders(); return;
-    case GLFW_KEY_F1: session.keysVisible = !session.keysVisible; return;
+    case GLFW_KEY_F1: session.panels.keysVisible = !session.panels.keysVisible; return;
     default: return;
     }
 }
 
 void applyControlKey(Session& session, int key) {
     const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl-C is the field's then
-    if (key == GLFW_KEY_R) session.wishedRecording = true;
-    if (key == GLFW_KEY_S) session.wishedSave = true;
-    if (key == GLFW_KEY_O) session.wishedLoad = session.settingsPath;
-    if (key == GLFW_KEY_C && !typing) session.wishedCommand = true;
+    if (key == GLFW_KEY_R) session.requests.recording = true;
+    if (key == GLFW_KEY_S) session.requests.save = true;
+    if (key == GLFW_KEY_O) session.requests.load = session.panels.settingsPath;
+    if (key == GLFW_KEY_C && !typing) session.requests.command = true;
 }
 
 }  // namespace
@@ -68,10 +63,10 @@ bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
     for (const KeyPress& press : keys) {
         if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL) != 0) return true;
         if (press.key == GLFW_KEY_SLASH && (press.mods & GLFW_MOD_SHIFT) != 0 && !ImGui::GetIO().WantTextInput)
-            session.keysVisible = !session.keysVisible;
+            session.panels.keysVisible = !session.panels.keysVisible;
         if ((press.mods & GLFW_MOD_CONTROL) != 0) applyControlKey(session, press.key);
         const bool typing = ImGui::GetIO().WantTextInput;
-        if (!typing && press.key == GLFW_KEY_P && (press.mods & GLFW_MOD_SHIFT) != 0) session.wishedExr = true;
+        if (!typing && press.key == GLFW_KEY_P && (press.mods & GLFW_MOD_SHIFT) != 0) session.requests.exr = true;
         if (!typing && (press.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0)
             applyKey(session, press.key);
     }
@@ -86,9 +81,9 @@ void pickPixel(Session& session, const Area& picture) {
     const auto pixel = [](float at, float from, float size, int pixels) {
         return static_cast<int>(std::floor((at - from) / std::max(size, 1.0f) * static_cast<float>(pixels)));
     };
-    const int x = pixel(mouse.x, picture.position.x, picture.size.x, session.request.width),
-              y = pixel(mouse.y, picture.position.y, picture.size.y, session.request.height);
-    const bool inside = x >= 0 && y >= 0 && x < session.request.width && y < session.request.height;
+    const int x = pixel(mouse.x, picture.position.x, picture.size.x, session.moment.request.width),
+              y = pixel(mouse.y, picture.position.y, picture.size.y, session.moment.request.height);
+    const bool inside = x >= 0 && y >= 0 && x < session.moment.request.width && y < session.moment.request.height;
     if (!inside || (session.probe.on() && session.probe.x() == x && session.probe.y() == y))
         session.probe.clear();
     else
@@ -121,12 +116,14 @@ void PictureMouse::apply(Session& session, const Area& picture) {
     const double dx = static_cast<double>(io.MouseDelta.x) / height, dy = static_cast<double>(io.MouseDelta.y) / height;
     if (dragging_ && !pressed && (dx != 0.0 || dy != 0.0)) {
         if (io.MouseDown[0] && !io.KeyShift)
-            session.freeCamera().orbit(-radiansPerHeight * dx, radiansPerHeight * dy);
+            session.camera.take(session.scene.current(), session.moment)
+                .orbit(-radiansPerHeight * dx, radiansPerHeight * dy);
         else
-            session.freeCamera().pan(-dx, dy);
+            session.camera.take(session.scene.current(), session.moment).pan(-dx, dy);
     }
     if (io.MouseWheel != 0.0f && !io.WantCaptureMouse)
-        session.freeCamera().zoom(std::pow(zoomPerNotch, static_cast<double>(io.MouseWheel)));
+        session.camera.take(session.scene.current(), session.moment)
+            .zoom(std::pow(zoomPerNotch, static_cast<double>(io.MouseWheel)));
 }
 
 }  // namespace timeshade

@@ -18,20 +18,20 @@ constexpr int longestSide = AccuracyProbe::longestSide;
 
 bool DiagnosticPicture::update(Session& session, int pictureWidth) {
     const bool settled = session.driver.settled() && session.driver.hasPlan() && !session.driver.preview();
-    const bool wanted = session.diagnostic != Diagnostic::None && !session.playback.playing() && settled;
+    const bool wanted = session.view.diagnostic != Diagnostic::None && !session.moment.playback.playing() && settled;
     if (!wanted) {
         const bool shown = complete();
         texture_.reset();
         key_.clear();
         failed_ = false;
-        caption_ = session.diagnostic == Diagnostic::None ? "" : "waiting for the picture to be still";
+        caption_ = session.view.diagnostic == Diagnostic::None ? "" : "waiting for the picture to be still";
         return shown;
     }
-    const FrameRequest small = smallCopyOf(session.request, longestSide);
-    std::vector<double> key = smallCopyKey(small, session.sceneNumber);
+    const FrameRequest small = smallCopyOf(session.moment.request, longestSide);
+    std::vector<double> key = smallCopyKey(small, session.scene.number());
     // One size larger than the place, which then shrinks it: letters and squares stay crisp.
     enlarged_ = std::clamp((pictureWidth + small.width - 1) / small.width, 1, 16);
-    key.insert(key.end(), {double(session.diagnostic), double(enlarged_)});
+    key.insert(key.end(), {double(session.view.diagnostic), double(enlarged_)});
     ProbeSubject subject = subjectOf(session);
     if (key == key_ && subject == subject_ && (complete() || failed_)) return false;
     try {
@@ -49,7 +49,7 @@ bool DiagnosticPicture::update(Session& session, int pictureWidth) {
 void DiagnosticPicture::begin(Session& session, std::vector<double> key, const ProbeSubject& subject) {
     key_ = std::move(key);
     subject_ = subject;
-    ofError_ = session.diagnostic == Diagnostic::Error;
+    ofError_ = session.view.diagnostic == Diagnostic::Error;
     failed_ = false;
     drawing_ = false;
     texture_.reset();
@@ -57,15 +57,15 @@ void DiagnosticPicture::begin(Session& session, std::vector<double> key, const P
     reference_.reset();
     if (!renderer_) renderer_.emplace();
     technique_ = techniqueOf(subject, renderer_->programs());
-    const FrameRequest small = smallCopyOf(session.request, longestSide);
-    drawWarmUp(*renderer_, *session.planner, *technique_, small, View::Visibility);
-    plan_ = session.planner->plan(small);
+    const FrameRequest small = smallCopyOf(session.moment.request, longestSide);
+    drawWarmUp(*renderer_, session.scene.planner(), *technique_, small, View::Visibility);
+    plan_ = session.scene.planner().plan(small);
     if (ofError_) {
         FrameRequest many = small;
         many.samplesPerPixel = maximumSamplesPerPixel;
         ReferenceOptions options;
         options.samplesPerPixel = AccuracyProbe::referenceSamples;
-        reference_ = std::make_unique<ReferenceBuilder>(session.planner->plan(many), options, cache_);
+        reference_ = std::make_unique<ReferenceBuilder>(session.scene.planner().plan(many), options, cache_);
         return;
     }
     disagreement_ = std::make_unique<DisagreementView>(small.width, small.height);

@@ -121,7 +121,7 @@ void FrameDriver::draw() {
 }
 
 void FrameDriver::readTimes() {
-    // A picture that is drawn once and then stays would leave its figures waiting in the queue for ever.
+    // A picture that is drawn once and then stays would leave its times waiting in the queue for ever.
     if (renderer_.complete())
         times_.add(renderer_.timer().finishFrame());
     else if (const auto readings = renderer_.timer().endFrame())
@@ -129,7 +129,7 @@ void FrameDriver::readTimes() {
 }
 
 void FrameDriver::forgetTimes() {
-    renderer_.timer().finishFrame();  // figures still on their way belong to what was drawn before
+    renderer_.timer().finishFrame();  // times still on their way belong to what was drawn before
     times_.reset();
 }
 

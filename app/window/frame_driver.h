@@ -11,7 +11,7 @@
 namespace timeshade {
 
 /// Draws what the window wants to see: anew when anything has changed and not at all when nothing has; coarsely while
-/// something moves, if it has to be; brute force a few renders at a time.
+/// something moves, if it has to be; a technique that accumulates renders, a few of them at a time.
 class FrameDriver {
   public:
     explicit FrameDriver(FrameRenderer& renderer);
@@ -31,7 +31,7 @@ class FrameDriver {
 
     enum class State {
         Nothing,  ///< nothing drawn yet
-        Drawing,  ///< some renders of brute force are still to come
+        Drawing,  ///< some renders are still to come
         Complete,
         Cancelled,  ///< the average of what had been drawn stays
         Failed,     ///< see failure()
@@ -40,13 +40,13 @@ class FrameDriver {
     /// Draws for about 30 ms, or one step where that takes longer. `now`: seconds of any steady clock. True if what is
     /// shown has changed.
     bool update(const Wanted& wanted, double now);
-    /// Keeps what has been drawn of a brute-force picture, until something changes or resume() is called.
+    /// Keeps what has been drawn of a picture that is accumulated, until something changes or resume() is called.
     void cancel();
     void resume();
     /// Draws the full picture anew as the first of a sequence: before it the frames that a technique with a history
     /// needs.
     void warmUp();
-    /// Draws the full picture so many times more for its figures, unless something changes first.
+    /// Draws the full picture so many times more for its times, unless something changes first.
     void measure(int pictures);
     bool measuring() const { return toMeasure_ > 0; }
 
@@ -61,7 +61,7 @@ class FrameDriver {
 
     /// Null as long as there is none.
     const gl::Texture* picture() const { return picture_; }
-    /// The renderer holds a plan and a technique that may be asked about.
+    /// The renderer holds a plan and a technique that are those of the picture.
     bool hasPlan() const { return hasPlan_; }
     const FrameRenderer& renderer() const { return renderer_; }
     const FrameTimes& times() const { return times_; }

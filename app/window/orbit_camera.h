@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include <glm/glm.hpp>
 
 #include "scene/camera.h"
@@ -13,7 +10,7 @@ namespace timeshade {
 /// A camera that the mouse moves around a point of interest. World space; +Y is up.
 class OrbitCamera {
   public:
-    /// Starts from a pose: the point of interest is the one on its line of sight nearest to the middle of the bounds.
+    /// Starts from a pose: the point of interest is the one on its line of sight nearest to the centre of the bounds.
     OrbitCamera(const CameraPose& pose, const Bounds& bounds);
 
     const CameraPose& pose() const { return pose_; }
@@ -33,12 +30,6 @@ class OrbitCamera {
     double distance_ = 1.0;
     double nearest_ = 0.0, farthest_ = 1.0;
     double nearDistance_ = 0.01;  ///< of the pose it started from
-};
-
-/// A view that the user keeps for this run of the program.
-struct SavedView {
-    std::string name;
-    OrbitCamera camera;
 };
 
 }  // namespace timeshade

@@ -59,7 +59,7 @@ void PixelProbe::clear() {
 bool PixelProbe::update(Session& session) {
     const FrameDriver& driver = session.driver;
     const bool still = driver.settled() && driver.state() == FrameDriver::State::Complete && !driver.preview() &&
-                       !session.playback.playing();
+                       !session.moment.playback.playing();
     if (!on_ || !still) return false;
     const FrameRequest& drawn = session.renderer.plan().request;
     if (x_ >= drawn.width || y_ >= drawn.height) return false;  // the window has become smaller
@@ -95,8 +95,7 @@ void PixelProbe::begin(Session& session) {
     rows_.clear();
     upload(square_, squareAround(session.renderer.readPicture(), x_, y_, side));
     square_->setFilters(GL_NEAREST, GL_NEAREST);
-    if (session.renderer.renders() == 1)
-        rows_.push_back({session.technique->description().name, litOf(session.renderer)});
+    if (session.renderer.renders() == 1) rows_.push_back({session.technique.name(), litOf(session.renderer)});
     caption_ = "asking the other techniques";
 }
 
@@ -110,9 +109,8 @@ void PixelProbe::askNext(Session& session) {
         chosen.technique = name;
         const std::unique_ptr<Technique> technique = techniqueFor(chosen, renderer_->programs());
         // Brute force looks from one instant after the other and has no answer of its own for a camera sample.
-        if (name == session.technique->description().name || technique->renders() > 1 || technique->unsupported(plan))
-            continue;
-        drawWarmUp(*renderer_, *session.planner, *technique, plan.request, View::Visibility);
+        if (name == session.technique.name() || technique->renders() > 1 || technique->unsupported(plan)) continue;
+        drawWarmUp(*renderer_, session.scene.planner(), *technique, plan.request, View::Visibility);
         renderer_->draw(plan, *technique, View::Visibility);
         renderer_->timer().finishFrame();
         rows_.push_back({name, litOf(*renderer_)});

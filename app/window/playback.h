@@ -14,7 +14,7 @@ class Playback {
     void setPart(int first, int last);
     int firstFrame() const { return first_; }
     int lastFrame() const { return last_; }
-    /// Of real time, > 0.
+    /// 1 is real time; > 0.
     void setSpeed(double speed) { speed_ = speed; }
     double speed() const { return speed_; }
 

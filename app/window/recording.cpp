@@ -32,17 +32,16 @@ bool whole(const Session& session) {
 }  // namespace
 
 void Recording::start(Session& session) {
-    const std::filesystem::path name = std::filesystem::path(session.sceneName).stem();
-    path_ = std::filesystem::absolute(
-                fmt::format("timeshade-{}-{}.mp4", name.string(), session.technique->description().name))
+    const std::filesystem::path name = std::filesystem::path(session.scene.name()).stem();
+    path_ = std::filesystem::absolute(fmt::format("timeshade-{}-{}.mp4", name.string(), session.technique.name()))
                 .lexically_normal()
                 .string();
     VideoFormat format;
-    format.width = width_ = session.request.width & ~1;
-    format.height = height_ = session.request.height & ~1;
-    format.framesPerSecond = session.request.shutter.framesPerSecond;
+    format.width = width_ = session.moment.request.width & ~1;
+    format.height = height_ = session.moment.request.height & ~1;
+    format.framesPerSecond = session.moment.request.shutter.framesPerSecond;
     frames_ = 0;
-    session.playback.play(false);
+    session.moment.playback.play(false);
     try {
         sink_ = std::make_unique<VideoFile>(path_, format);
         session.driver.warmUp();
@@ -82,7 +81,7 @@ bool Recording::update(Session& session) {
         }
         sink_->add(cropped(picture, width_, height_));
         ++frames_;
-        session.playback.step(1);
+        session.moment.playback.step(1);
     } catch (const std::exception& error) {
         fail(session, error.what());
     }

@@ -1,4 +1,3 @@
-#include "core/setting.h"
 #include "window/settings_io.h"
 
 #include <algorithm>
@@ -29,9 +28,9 @@ void addChanged(HasSettings& owner, SettingTexts& settings) {
 
 std::string windowState(const Session& session) {
     nlohmann::ordered_json json;
-    json["text_size"] = session.textScale;
-    json["panels"] = session.panelsVisible;
-    for (const SavedView& view : session.savedViews)
+    json["text_size"] = session.panels.textScale;
+    json["panels"] = session.panels.visible;
+    for (const SavedView& view : session.camera.savedViews)
         json["views"].push_back({{"name", view.name}, {"pose", textOf(view.camera.pose())}});
     return json.dump();
 }
@@ -70,30 +69,30 @@ WindowState windowStateOf(const std::string& text, const std::string& path) {
 }  // namespace
 
 PictureOptions pictureOptions(Session& session) {
-    const FrameRequest& request = session.request;
+    const FrameRequest& request = session.moment.request;
     PictureOptions options = session.options;
-    options.scene = session.sceneName;
-    options.technique = session.technique->description().name;
+    options.scene = session.scene.name();
+    options.technique = session.technique.name();
     options.settings.clear();
-    addChanged(*session.technique, options.settings);
-    if (session.recipe != nullptr) addChanged(*session.recipe, options.settings);
+    addChanged(session.technique.current(), options.settings);
+    if (session.scene.recipe() != nullptr) addChanged(*session.scene.recipe(), options.settings);
     options.width = request.width;
     options.height = request.height;
     options.samplesPerPixel = request.samplesPerPixel;
     options.mapSize = request.mapSize;
     options.seed = request.seed;
-    options.frame = session.playback.frame();
+    options.frame = session.moment.playback.frame();
     options.seconds.reset();
     options.framesPerSecond = request.shutter.framesPerSecond;
     options.shutterLength = request.shutter.length;
-    options.instant = session.instant;
+    options.instant = session.moment.instant;
     options.shutterPosition = request.shutter.position;
-    options.camera = request.cameraIndex == 0 ? "" : session.scene->cameras()[request.cameraIndex].name;
+    options.camera = request.cameraIndex == 0 ? "" : session.scene.current().cameras()[request.cameraIndex].name;
     options.pose.reset();
-    if (session.camera) options.pose = session.camera->pose();
-    options.view = session.view;
-    options.techniqueView = session.techniqueView;
-    options.diagnostic = session.diagnostic;
+    if (session.camera.orbit) options.pose = session.camera.orbit->pose();
+    options.view = session.view.light;
+    options.techniqueView = session.view.ofTechnique;
+    options.diagnostic = session.view.diagnostic;
     options.compared.clear();
     if (session.comparison.on()) {
         options.compared = session.comparison.variants(session);
@@ -106,17 +105,17 @@ PictureOptions pictureOptions(Session& session) {
 }
 
 std::string commandOf(Session& session) {
-    const std::filesystem::path scene(session.sceneName);
+    const std::filesystem::path scene(session.scene.name());
     PictureOptions options = pictureOptions(session);
     // A path is meant from where the window was started, and is to hold elsewhere too.
     if (scene.has_extension() && std::filesystem::exists(scene))
         options.scene = std::filesystem::absolute(scene).lexically_normal().string();
-    return shotCommand(options, session.screenshotName());
+    return shotCommand(options, screenshotName(session));
 }
 
 void saveSettings(Session& session, const std::string& path) {
     PictureOptions options = pictureOptions(session);
-    session.addCachedSettings(options.settings);
+    session.addOtherSettings(options.settings);
     const std::string text = settingsJson(options, windowState(session));
     writeFileAtomically(path, text);
 }
@@ -126,10 +125,10 @@ void loadSettings(Session& session, const std::string& path) {
     const std::vector<FileSetting> settings = settingsOfJson(text, path);
     const WindowState state = windowStateOf(text, path);
     session.become(std::get<ViewOptions>(parseWithSettings({"view"}, settings)));
-    session.textScale = state.textScale;
-    session.panelsVisible = state.panels;
+    session.panels.textScale = state.textScale;
+    session.panels.visible = state.panels;
     for (const auto& [name, pose] : state.views)
-        session.savedViews.push_back({name, OrbitCamera(pose, session.scene->bounds())});
+        session.camera.savedViews.push_back({name, OrbitCamera(pose, session.scene.current().bounds())});
 }
 
 }  // namespace timeshade

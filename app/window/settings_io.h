@@ -16,7 +16,7 @@ PictureOptions pictureOptions(Session& session);
 std::string commandOf(Session& session);
 
 /// Everything in the window as a settings file: also other techniques' and scenes' settings, and text size, panels and
-/// kept views. Throws Error.
+/// saved views. Throws Error.
 void saveSettings(Session& session, const std::string& path);
 
 /// Makes the window what such a file says; what it does not mention is as at a start. Throws Error and changes nothing

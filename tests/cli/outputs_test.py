@@ -88,13 +88,15 @@ class FullDisk(ProgramTest):
         for ending in ("png", "exr"):
             (self.folder / f"F.{ending}").symlink_to("/dev/full")
         for ending in ("png", "exr"):
-            self.refuse(1, (f"F.{ending}", "No space left on device"), *SHOT, "-o", f"F.{ending}", leaves=("F.exr", "F.png"))
+            self.refuse(1, (f"F.{ending}", "No space left on device"), *SHOT, "-o", f"F.{ending}",
+                        leaves=("F.exr", "F.png"))
 
     def test_a_file_that_may_not_grow(self):
         """The limit of the process stands for a full disk: writing fails half-way through the picture."""
         old = b"the picture of yesterday"
         (self.folder / "F.png").write_bytes(old)
-        limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (TINY, TINY)), "restore_signals": False}
+        limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (TINY, TINY)),
+                   "restore_signals": False}
         for ending in ("png", "exr"):
             self.refuse(1, (f"F.{ending}", "File too large"), *SHOT, "-o", f"F.{ending}", leaves=("F.png",), **limited)
         self.assertEqual((self.folder / "F.png").read_bytes(), old)
@@ -171,7 +173,8 @@ class Whole(ProgramTest):
         self.assertEqual(data[:8], b"\x76\x2f\x31\x01\x02\0\0\0")
         self.assertIn(b"channels\0chlist\0", data)
         window = data.index(b"dataWindow\0box2i\0") + len(b"dataWindow\0box2i\0") + 4
-        self.assertEqual([int.from_bytes(data[window + 4 * i:window + 4 * i + 4], "little") for i in range(4)], [0, 0, 63, 47])
+        self.assertEqual([int.from_bytes(data[window + 4 * i:window + 4 * i + 4], "little") for i in range(4)],
+                         [0, 0, 63, 47])
         self.assertEqual(data, self.shot("chess", "G.exr", *QUICK))
 
 

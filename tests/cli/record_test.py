@@ -11,18 +11,21 @@ import unittest
 
 from program import PROGRAM, QUICK, FileBytes, Picture, ProgramTest, environment
 
-SMALL = ("--size", "160x96", "--map", "64", "--spp", "2", "--set", "accumulation.renders=2", "--set", "history.warm_up=2")
+SMALL = ("--size", "160x96", "--map", "64", "--spp", "2", "--set", "accumulation.renders=2", "--set",
+         "history.warm_up=2")
 
 
 def probe(path):
     entries = "stream=codec_name,width,height,r_frame_rate,nb_read_frames,duration"
-    text = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", entries, "-of", "json", path], check=True, capture_output=True).stdout
+    text = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", entries, "-of", "json", path],
+                          check=True, capture_output=True).stdout
     return json.loads(text)["streams"][0]
 
 
 def decoded(path, width, height):
     """The frames as bytes of RGB, rounded rather than cut off."""
-    data = subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-vf", "scale=flags=accurate_rnd+full_chroma_int", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], check=True, capture_output=True).stdout
+    data = subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-vf", "scale=flags=accurate_rnd+full_chroma_int", "-f",
+                           "rawvideo", "-pix_fmt", "rgb24", "-"], check=True, capture_output=True).stdout
     size = width * height * 3
     return [data[i:i + size] for i in range(0, len(data), size)]
 
@@ -63,11 +66,13 @@ class RecordTest(ProgramTest):
 
 class Videos(RecordTest):
     def test_frames_size_rate_duration(self):
-        said = self.succeed("record", "chess", "-o", "F.mp4", *SMALL, "--frames", "12", "--fps", "30", "--json", "F.json")
+        said = self.succeed("record", "chess", "-o", "F.mp4", *SMALL, "--frames", "12", "--fps", "30", "--json",
+                            "F.json")
         self.assertIn("F.mp4  12 frames of 160 x 96 at 30 per second", said)
         self.assertEqual(self.files(), ["F.json", "F.mp4"])
         found = probe(self.folder / "F.mp4")
-        self.assertEqual((found["codec_name"], found["width"], found["height"], found["r_frame_rate"], found["nb_read_frames"]),
+        self.assertEqual((found["codec_name"], found["width"], found["height"], found["r_frame_rate"],
+                          found["nb_read_frames"]),
                          ("h264", 160, 96, "30/1", "12"))
         self.assertAlmostEqual(float(found["duration"]), 0.4, places=3)
         report = json.loads((self.folder / "F.json").read_text())
@@ -90,12 +95,14 @@ class Videos(RecordTest):
                     if technique == "tsm" or number == 0:
                         shot = Picture(self.shot("octopus", "S.png", *asked[1:-1], str(5 + number)))
                         self.assertEqual(FileBytes(picture.rgb), FileBytes(shot.rgb))
-                    self.assertGreater(mean_difference(frame, frames[number - 1]), 0.05, "frames that follow each other differ")
+                    self.assertGreater(mean_difference(frame, frames[number - 1]), 0.05,
+                                       "frames that follow each other differ")
 
     def test_other_codecs_and_quality(self):
         sizes = {}
         for codec, quality in (("h264", 4), ("h264", 40), ("hevc", 30)):
-            self.succeed("record", "octopus", "-o", "F.mp4", *SMALL, "--frames", "3", "--codec", codec, "--quality", quality)
+            self.succeed("record", "octopus", "-o", "F.mp4", *SMALL, "--frames", "3", "--codec", codec, "--quality",
+                         quality)
             self.assertEqual(probe(self.folder / "F.mp4")["codec_name"], codec)
             sizes[codec, quality] = (self.folder / "F.mp4").stat().st_size
         self.assertGreater(sizes["h264", 4], 2 * sizes["h264", 40])
@@ -115,7 +122,8 @@ class Videos(RecordTest):
             self.assertEqual(FileBytes(pictures[number].rgb[below:]), FileBytes(alone.rgb[below:]))
         # A camera's way begins and ends where the cameras are.
         for number, camera in ((5, "table"), (7, "rook")):
-            alone = Picture(self.shot("chess", "S.png", *SMALL, "--set", "tsm.bias=2", "--camera", camera, "--frame", number - 5))
+            alone = Picture(self.shot("chess", "S.png", *SMALL, "--set", "tsm.bias=2", "--camera", camera, "--frame",
+                                      number - 5))
             self.assertLess(pictures[number].share_of_pixels_off(alone, 8), 0.01)
         # A caption darkens the lower edge and nothing above.
         bare = Picture(self.shot("pillars", "S.png", *SMALL, "--technique", "static", "--frame", "0"))
@@ -127,11 +135,14 @@ class Videos(RecordTest):
     def test_the_demo_script(self):
         """One frame of every part; every technique is in it."""
         script = json.loads((pathlib.Path(__file__).parents[2] / "assets/demo.json").read_text())
-        self.succeed("record", "--demo", "-o", "out", "--frames", "1", "--json", "F.json", "--size", "160x90", "--map", "64", "--spp", "1",
+        self.succeed("record", "--demo", "-o", "out", "--frames", "1", "--json", "F.json", "--size", "160x90", "--map",
+                     "64", "--spp", "1",
                      "--set", "history.warm_up=1")
         report = json.loads((self.folder / "F.json").read_text())
-        self.assertEqual((report["size"], len(report["parts"]), report["frames"]), ([160, 90], len(script["parts"]), len(script["parts"])))
-        shown = {name.split(":")[0] for part in report["parts"] for name in part.get("compare", [part.get("technique")])}
+        self.assertEqual((report["size"], len(report["parts"]), report["frames"]),
+                         ([160, 90], len(script["parts"]), len(script["parts"])))
+        shown = {name.split(":")[0] for part in report["parts"]
+                 for name in part.get("compare", [part.get("technique")])}
         self.assertLessEqual({"static", "tsm", "temporal", "ranges", "history", "exact", "accumulation"}, shown)
         self.assertAlmostEqual(sum(part["frames"] for part in script["parts"]) / script["options"]["fps"], 60, delta=3)
         for part in script["parts"]:
@@ -142,16 +153,22 @@ class WhatGoesWrong(RecordTest):
     ASKED = ("record", "chess", "-o", "F.mp4", *SMALL, "--frames", "40")
 
     def test_arguments(self):
-        for mentions, arguments in ((("scene",), ("record", "-o", "F.mp4")),
-                                    (("161x96", "even"), ("record", "chess", "-o", "F.mp4", *SMALL, "--size", "161x96")),
-                                    (("--quality", "'52'"), (*self.ASKED, "--quality", "52")), (("--codec", "'mp3'"), (*self.ASKED, "--codec", "mp3")),
-                                    (("--script", "scene"), (*self.ASKED, "--script", "s.json")), (("--compare",), (*self.ASKED, "--compare", "tsm")),
-                                    (("nonsense", "expected"), (*self.ASKED, "--compare", "tsm,nonsense"))):
+        cases = (
+            (("scene",), ("record", "-o", "F.mp4")),
+            (("161x96", "even"), ("record", "chess", "-o", "F.mp4", *SMALL, "--size", "161x96")),
+            (("--quality", "'52'"), (*self.ASKED, "--quality", "52")),
+            (("--codec", "'mp3'"), (*self.ASKED, "--codec", "mp3")),
+            (("--script", "scene"), (*self.ASKED, "--script", "s.json")),
+            (("--compare",), (*self.ASKED, "--compare", "tsm")),
+            (("nonsense", "expected"), (*self.ASKED, "--compare", "tsm,nonsense")),
+        )
+        for mentions, arguments in cases:
             self.refuse(2, mentions, *arguments)
         self.refuse(1, ("missing/F.mp4", "No such file"), "record", "chess", "-o", "missing/F.mp4", *SMALL)
         self.refuse(1, ("missing.json", "cannot be read"), "record", "--script", "missing.json", "-o", "F.mp4")
         for part, code, mentions in (({}, 1, ("part 2", "scene")), ({"scene": "chess", "spp": 0}, 2, ("part 2", "'0'")),
-                                     ({"scene": "chess", "seam": 2}, 1, ("part 2", "seam")), ({"scene": "chess", "wrong": 2}, 2, ("part 2", "wrong"))):
+                                     ({"scene": "chess", "seam": 2}, 1,
+                                      ("part 2", "seam")), ({"scene": "chess", "wrong": 2}, 2, ("part 2", "wrong"))):
             (self.folder / "s.json").write_text(json.dumps({"parts": [{"scene": "chess"}, part]}))
             self.refuse(code, ("s.json", *mentions), "record", "--script", "s.json", "-o", "F.mp4", leaves=("s.json",))
 
@@ -160,13 +177,15 @@ class WhatGoesWrong(RecordTest):
 
     def test_an_encoder_that_dies(self):
         env = self.fake_encoder("head -c 300000 >/dev/null\necho 'out of pencils' >&2\nexit 3\n")
-        self.refuse(1, ("F.mp4", "after", "exit code 3", "out of pencils"), *self.ASKED, env=env, leaves=("bin", "bin/ffmpeg"))
+        self.refuse(1, ("F.mp4", "after", "exit code 3", "out of pencils"), *self.ASKED, env=env,
+                    leaves=("bin", "bin/ffmpeg"))
 
     def test_an_encoder_that_is_killed_and_one_that_fails_at_the_end(self):
         env = self.fake_encoder("head -c 100000 >/dev/null\nkill -9 $$\n")
         self.refuse(1, ("F.mp4", "signal 9"), *self.ASKED, env=env, leaves=("bin", "bin/ffmpeg"))
         (self.folder / "bin/ffmpeg").write_text("#!/bin/sh\ncat >/dev/null\nexit 1\n")
-        self.refuse(1, ("F.mp4", "after 2 frames", "exit code 1"), *self.ASKED[:-1], "2", env=env, leaves=("bin", "bin/ffmpeg"))
+        self.refuse(1, ("F.mp4", "after 2 frames", "exit code 1"), *self.ASKED[:-1], "2", env=env,
+                    leaves=("bin", "bin/ffmpeg"))
 
     def test_what_was_there_stays(self):
         (self.folder / "F.mp4").write_bytes(b"old")
@@ -184,7 +203,8 @@ class WhatGoesWrong(RecordTest):
             os.killpg(process.pid, getattr(signal, name))
             out, errors = process.communicate(timeout=60)
             self.assertEqual((process.returncode, out), (1, ""))
-            self.assertRegex(errors, rf"^timeshade: error: stopped by {name} after \d+ of 100000 frames; F.mp4 holds these\n$")
+            self.assertRegex(errors,
+                             rf"^timeshade: error: stopped by {name} after \d+ of 100000 frames; F.mp4 holds these\n$")
             self.assertEqual(self.files(), ["F.mp4"])
             self.assertEqual(probe(self.folder / "F.mp4")["nb_read_frames"], errors.split("after ")[1].split()[0])
             os.unlink(self.folder / "F.mp4")
@@ -223,10 +243,12 @@ class Instants(ProgramTest):
         """Frame 10 open from 9.7 to 10.3: its instants are still pictures of other times."""
         asked = ("octopus", "S.png", *QUICK, "--technique", "tsm")
         for u, frame in ((0, "9.7"), (0.5, "10"), (1, "10.3")):
-            instant = self.shot(*asked, "--frame", "10", "--shutter", "0.6", "--shutter-position", "centre", "--instant", u)
+            instant = self.shot(*asked, "--frame", "10", "--shutter", "0.6", "--shutter-position", "centre",
+                                "--instant", u)
             still = Picture(self.shot(*asked, "--frame", frame, "--shutter", "0"))
             self.assertLess(Picture(instant).share_of_pixels_off(still, 4), 0.002, f"u = {u}")
-        self.assertGreater(Picture(instant).share_of_pixels_off(Picture(self.shot(*asked, "--frame", "10", "--shutter", "0.6")), 4), 0.02)
+        self.assertGreater(Picture(instant).share_of_pixels_off(Picture(self.shot(*asked, "--frame", "10", "--shutter",
+                                                                                  "0.6")), 4), 0.02)
 
 
 class Compared(ProgramTest):
@@ -235,7 +257,8 @@ class Compared(ProgramTest):
         asked = (*QUICK, "--compare", "tsm,exact")
         row = 64 * 3
         wipe = Picture(self.shot("pillars", "S.png", *asked, "--seam", "0.25", "--json", "S.json"))
-        self.assertEqual([one["technique"] for one in json.loads((self.folder / "S.json").read_text())["compare"]], ["tsm", "exact"])
+        self.assertEqual([one["technique"] for one in json.loads((self.folder / "S.json").read_text())["compare"]],
+                         ["tsm", "exact"])
         side = Picture(self.shot("pillars", "S.png", *asked, "--compare-mode", "side"))
         far = Picture(self.shot("pillars", "S.png", *asked, "--compare-mode", "difference"))
         for y in range(24, 48):  # below the labels
@@ -244,7 +267,8 @@ class Compared(ProgramTest):
             self.assertEqual(wipe.rgb[y * row:(y + 1) * row][18 * 3:], exact[18 * 3:])
             self.assertEqual(side.rgb[y * row:(y + 1) * row][:31 * 3], tsm[16 * 3:47 * 3])
             self.assertEqual(side.rgb[y * row:(y + 1) * row][34 * 3:], exact[18 * 3:48 * 3])
-            self.assertEqual(far.rgb[y * row:(y + 1) * row], bytes(min(255, 4 * abs(a - b)) for a, b in zip(tsm, exact)))
+            self.assertEqual(far.rgb[y * row:(y + 1) * row],
+                             bytes(min(255, 4 * abs(a - b)) for a, b in zip(tsm, exact)))
 
 
 if __name__ == "__main__":

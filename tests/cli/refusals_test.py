@@ -31,7 +31,8 @@ class BadArguments(ProgramTest):
             "--fps": ("0", "-24", "0.01", "1e6", *numbers),
             "--instant": ("-0.1", "1.1", *numbers),
             "--shutter": ("-0.1", "16.5", *numbers),
-            "--size": ("640", "640x", "x480", "0x480", "640x0", "-640x480", "16385x1", "1x16385", "640x480x3", "640X480",
+            "--size": ("640", "640x", "x480", "0x480", "640x0", "-640x480", "16385x1", "1x16385", "640x480x3",
+                       "640X480",
                        "640*480", "99999999999x1", "nanxnan", "640.5x480", ""),
             "--shutter-position": ("middle", "2", "Start", ""),
             "--context": ("glx", "2", "EGL", ""),
@@ -49,10 +50,14 @@ class BadArguments(ProgramTest):
                     self.refuse_usage((value, option.lstrip("-"), "expected"), *SHOT, *given)
 
     def test_settings_of_techniques(self):
-        for setting in ("", "=", "tsm", "tsm.bias", "tsm=1", ".bias=1", "tsm.bias=", "tsm.bias=nan", "tsm.bias=inf", "tsm.bias=-1",
-                        "tsm.bias=64.5", "tsm.bias=1 ", "tsm.bias= 1", "tsm.bias=0x1", "tsm.bias=1,5", "tsm.=1", "tsm.Bias=1",
-                        "tsm.nonsense=1", "nonsense.bias=1", "tsm.dynamic_bias=maybe", "tsm.dynamic_bias=2", "tsm.dynamic_bias=",
-                        "static.pcf_radius=4", "static.pcf_radius=1.5", "accumulation.renders=0", "accumulation.renders=5000",
+        for setting in ("", "=", "tsm", "tsm.bias", "tsm=1", ".bias=1", "tsm.bias=", "tsm.bias=nan", "tsm.bias=inf",
+                        "tsm.bias=-1",
+                        "tsm.bias=64.5", "tsm.bias=1 ", "tsm.bias= 1", "tsm.bias=0x1", "tsm.bias=1,5", "tsm.=1",
+                        "tsm.Bias=1",
+                        "tsm.nonsense=1", "nonsense.bias=1", "tsm.dynamic_bias=maybe", "tsm.dynamic_bias=2",
+                        "tsm.dynamic_bias=",
+                        "static.pcf_radius=4", "static.pcf_radius=1.5", "accumulation.renders=0",
+                        "accumulation.renders=5000",
                         "accumulation.renders=1e9", "accumulation.renders=nan"):
             with self.subTest(setting=setting):
                 # Of a key that does not exist the value is no matter. Also where another technique is drawn.
@@ -62,8 +67,10 @@ class BadArguments(ProgramTest):
                     self.refuse_usage((wrong, "expected"), *SHOT, "--technique", technique, "--set", setting)
 
     def test_scene_settings(self):
-        for setting in ("cubes.nonsense=1", "cubes.count=", "cubes.count=0", "cubes.count=1.5", "cubes.count=20001", "cubes.speed=nan",
-                        "cubes.speed=16.1", "Cubes.count=5", "chess.count=5", "nonsense.count=5", "cubes=5", ".count=5"):
+        for setting in ("cubes.nonsense=1", "cubes.count=", "cubes.count=0", "cubes.count=1.5", "cubes.count=20001",
+                        "cubes.speed=nan",
+                        "cubes.speed=16.1", "Cubes.count=5", "chess.count=5", "nonsense.count=5", "cubes=5",
+                        ".count=5"):
             with self.subTest(setting=setting):
                 self.refuse_usage(("expected",), "shot", "cubes", "-o", "F.png", "--set", setting)
         # Also where another scene is drawn.
@@ -117,7 +124,8 @@ class SettingsFiles(ProgramTest):
         self.refuse_file(1, "", ("s.json", "expected"))
 
     def test_files_that_are_not_json(self):
-        for text in ("spp = 8", '{"spp": 8', '{"spp": 8} trailing', "{'spp': 8}", b"\xff\xfe\x00", b"\0\0\0\0", "[" * 5000):
+        for text in ("spp = 8", '{"spp": 8', '{"spp": 8} trailing', "{'spp': 8}", b"\xff\xfe\x00", b"\0\0\0\0",
+                     "[" * 5000):
             with self.subTest(text=text[:20]):
                 self.refuse_file(1, text, ("s.json", "expected"))
 
@@ -134,7 +142,8 @@ class SettingsFiles(ProgramTest):
 
     def test_the_line_is_named(self):
         for text, line, mentions in (('{\n "technique": "exact",\n "spp": 0\n}', 3, ("'0'",)),
-                                     ('{\n "set": {\n  "tsm.dynamic_bias": true,\n\n  "tsm.bias": 99}}', 5, ("tsm.bias=99",)),
+                                     ('{\n "set": {\n  "tsm.dynamic_bias": true,\n\n  "tsm.bias": 99}}', 5,
+                                      ("tsm.bias=99",)),
                                      ('{"spp": 2,\n "window": {"spp": 5},\n\n "wrong": 1}', 4, ("wrong",)),
                                      ('{\n\n "frame": 1, "time": 1}', 3, ("time",))):
             self.refuse_file(2, text, (f"s.json:{line}: ", *mentions))
@@ -142,12 +151,16 @@ class SettingsFiles(ProgramTest):
         self.refuse_file(1, '{\n "spp": [8]}', ("s.json:2: ", "array", "expected"))
 
     def test_values_in_files(self):
-        cases = {'{"nonsense": 8}': ("nonsense",), '{"": 8}': (), '{"spp": 0}': ("spp", "'0'"), '{"spp": "many"}': ("spp", "many"),
+        cases = {'{"nonsense": 8}': ("nonsense",), '{"": 8}': (), '{"spp": 0}': ("spp", "'0'"),
+                 '{"spp": "many"}': ("spp", "many"),
                  '{"spp": true}': ("spp", "true"), '{"spp": 8.5}': ("spp", "8.5"), '{"frame": 1e999}': (),
-                 '{"set": {"tsm.bias": "much"}}': ("tsm.bias", "much"), '{"set": {"tsm.nonsense": 1}}': ("tsm.nonsense",),
+                 '{"set": {"tsm.bias": "much"}}': ("tsm.bias", "much"),
+                 '{"set": {"tsm.nonsense": 1}}': ("tsm.nonsense",),
                  '{"set": {"tsm.bias": [1]}}': ("tsm.bias", "[1]"), '{"set": {"tsm.bias": null}}': ("tsm.bias", "null"),
-                 '{"technique": "nonsense"}': ("nonsense",), '{"technique": "a\\nb"}': ("a b",), '{"explain": "maybe"}': ("explain", "maybe"),
-                 '{"frame": 1, "time": 1}': ("frame", "time"), '{"camera": ""}': ("camera", "''"), '{"spp": ""}': ("spp", "''")}
+                 '{"technique": "nonsense"}': ("nonsense",), '{"technique": "a\\nb"}': ("a b",),
+                 '{"explain": "maybe"}': ("explain", "maybe"),
+                 '{"frame": 1, "time": 1}': ("frame", "time"),
+                 '{"camera": ""}': ("camera", "''"), '{"spp": ""}': ("spp", "''")}
         for text, mentions in cases.items():
             with self.subTest(text=text):
                 (self.folder / "s.json").write_text(text)
@@ -162,7 +175,8 @@ class SceneFiles(ProgramTest):
                 self.refuse(1, (path,), "shot", path, "-o", "F.png")
 
     def test_files_that_are_no_scenes(self):
-        contents = {"empty.glb": b"", "text.gltf": b"not a scene", "json.gltf": b"{}", "cut.glb": b"glTF\x02\0\0\0\xff\0\0\0",
+        contents = {"empty.glb": b"", "text.gltf": b"not a scene", "json.gltf": b"{}",
+                    "cut.glb": b"glTF\x02\0\0\0\xff\0\0\0",
                     "zeros.glb": bytes(64), "list.gltf": b"[]", "picture.glb": b"\x89PNG\r\n\x1a\n"}
         for name, content in contents.items():
             (self.folder / name).write_bytes(content)
@@ -191,7 +205,8 @@ class Machines(ProgramTest):
         return folder
 
     def test_no_egl(self):
-        self.refuse(1, ("EGL",), *SHOT, "--context", "egl", env=environment(__EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent"))
+        self.refuse(1, ("EGL",), *SHOT, "--context", "egl",
+                    env=environment(__EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent"))
 
     @unittest.skipUnless("osmesa" in CONTEXTS, "this machine has no OSMesa")
     def test_no_egl_falls_back_on_osmesa(self):
@@ -242,7 +257,8 @@ class Machines(ProgramTest):
         shade = self.folder / "shaders" / "passes" / "shade.frag"
         shade.write_text(shade.read_text() + "\nvoid broken() { undeclared = 1.0; }\n")
         present = self.files()
-        self.refuse(1, ("passes/shade.frag", "undeclared"), *SHOT, env=environment(TIMESHADE_SHADERS=self.folder / "shaders"), leaves=present)
+        self.refuse(1, ("passes/shade.frag", "undeclared"), *SHOT,
+                    env=environment(TIMESHADE_SHADERS=self.folder / "shaders"), leaves=present)
 
 
 if __name__ == "__main__":

@@ -83,7 +83,7 @@ TEST(TechniqueViews, StatisticsReachTheReport) {
     const FramePlan plan = smallPlan();
     renderer.draw(plan, technique, View::Final, "columns");
     EXPECT_EQ(countedInWords(technique),
-              "counted         samples: 2 a pixel\ncounted         odd lists: 12,345\nbeware          the picture may "
+              "counted         samples: 2 a pixel\ncounted         odd lists: 12,345\nwarning         the picture may "
               "be wrong there\n");
 }
 

@@ -93,7 +93,7 @@ class HeadlessPanels {
         ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
         ImGui::NewFrame();
         const Layout layout = layoutOf(ImGui::GetIO().DisplaySize, 1.0f, true);
-        Widgets widgets(dump_, 1.0f, session.sections);
+        Widgets widgets(dump_, 1.0f, session.panels.sections);
         drawSidePanel(session, widgets, layout.side);
         drawTransportBar(session, widgets, layout.transport);
         drawOverlays(session, widgets, layout.picture);
@@ -124,10 +124,10 @@ class Soak {
         static const char* const heavyScenes[] = {crowdScene, "chess", "pillars"};
         const auto number = static_cast<std::size_t>(i);
         const std::size_t techniques = techniqueNames_.size(), round = number / (3 * techniques);
-        session_.wishedTechnique = techniqueNames_[number % techniques];
-        session_.wishedScene = heavyScenes[number / techniques % 3];
-        session_.applyWishes();
-        for (const Setting& setting : settingsOf(*session_.technique)) {
+        session_.requests.technique = techniqueNames_[number % techniques];
+        session_.requests.scene = heavyScenes[number / techniques % 3];
+        session_.applyRequests();
+        for (const Setting& setting : settingsOf(session_.technique.current())) {
             if (round == 1 && setting.isSwitch())
                 Setting(setting).set(1.0 - setting.defaultValue);
             else if (round > 1)
@@ -137,8 +137,8 @@ class Soak {
         // Both kinds of size: software renderers compile a shader anew for textures whose sides are no powers of two.
         width_ = i % 2 == 0 ? largestWidth : largestWidth - 1;
         height_ = largestHeight - i % 3;
-        session_.request.samplesPerPixel = maxSamples;
-        session_.request.mapSize = smallestMap << (mapSteps - 1);
+        session_.moment.request.samplesPerPixel = maxSamples;
+        session_.moment.request.mapSize = smallestMap << (mapSteps - 1);
         draw(false);
     }
 
@@ -147,64 +147,67 @@ class Soak {
         Session& s = session_;
         bool moving = false;
         switch (numbers_.below(8)) {
-        case 0: s.wishedScene = sceneNames_[numbers_.below(static_cast<std::uint32_t>(sceneNames_.size()))]; break;
+        case 0: s.requests.scene = sceneNames_[numbers_.below(static_cast<std::uint32_t>(sceneNames_.size()))]; break;
         case 1:
-            s.wishedTechnique = techniqueNames_[numbers_.below(static_cast<std::uint32_t>(techniqueNames_.size()))];
+            s.requests.technique = techniqueNames_[numbers_.below(static_cast<std::uint32_t>(techniqueNames_.size()))];
             break;
         case 2:
-            for (const Setting& setting : settingsOf(*s.technique)) setAtRandom(setting, numbers_);
+            for (const Setting& setting : settingsOf(s.technique.current())) setAtRandom(setting, numbers_);
             break;
         case 3:
             width_ = 1 + static_cast<int>(numbers_.below(largestWidth));
             height_ = 1 + static_cast<int>(numbers_.below(largestHeight));
             break;
         case 4:
-            s.request.samplesPerPixel = 1 + static_cast<int>(numbers_.below(maxSamples));
-            s.request.mapSize = smallestMap << numbers_.below(mapSteps);
+            s.moment.request.samplesPerPixel = 1 + static_cast<int>(numbers_.below(maxSamples));
+            s.moment.request.mapSize = smallestMap << numbers_.below(mapSteps);
             break;
         case 5: {
-            const std::vector<std::string> views = s.viewNames();
-            s.showView(views[numbers_.below(static_cast<std::uint32_t>(views.size()))]);
+            const std::vector<std::string> views = viewNames(s.technique.current());
+            s.view.show(views[numbers_.below(static_cast<std::uint32_t>(views.size()))]);
             break;
         }
         case 6:
             if (numbers_.oneIn(2))
-                s.useSceneCamera(0);
+                s.camera.useSceneCamera(s.moment, 0);
             else
-                s.freeCamera().orbit(static_cast<double>(numbers_.between(-1.0f, 1.0f)),
-                                     static_cast<double>(numbers_.between(-0.3f, 0.3f)));
+                s.camera.take(s.scene.current(), s.moment)
+                    .orbit(static_cast<double>(numbers_.between(-1.0f, 1.0f)),
+                           static_cast<double>(numbers_.between(-0.3f, 0.3f)));
             moving = true;
             break;
         default: {
-            s.playback.jump(static_cast<double>(numbers_.below(48)));
-            s.request.seed = numbers_.word();
-            Shutter shutter = s.request.shutter;
+            s.moment.playback.jump(static_cast<double>(numbers_.below(48)));
+            s.moment.request.seed = numbers_.word();
+            Shutter shutter = s.moment.request.shutter;
             shutter.length = static_cast<double>(numbers_.unit());
-            s.setShutter(shutter);
+            s.moment.setShutter(shutter, s.scene.current().duration());
             break;
         }
         }
-        s.applyWishes();
+        s.applyRequests();
         holdDownBruteForce();
         draw(moving);
     }
 
     /// Something small, always the same: what is held then is what caches hold, and what was lost.
     void rest() {
-        session_.wishedTechnique = "static";
-        session_.wishedScene = "case:static_all";
-        session_.applyWishes();
-        session_.showView("final");
-        for (const Setting& setting : settingsOf(*session_.technique)) Setting(setting).set(setting.defaultValue);
-        width_ = height_ = session_.request.mapSize = smallestMap;
-        session_.request.samplesPerPixel = 1;
+        session_.requests.technique = "static";
+        session_.requests.scene = "case:static_all";
+        session_.applyRequests();
+        session_.view.show("final");
+        for (const Setting& setting : settingsOf(session_.technique.current()))
+            Setting(setting).set(setting.defaultValue);
+        width_ = height_ = session_.moment.request.mapSize = smallestMap;
+        session_.moment.request.samplesPerPixel = 1;
         draw(false);
     }
 
     std::string now() const {
-        const FrameRequest& r = session_.request;
-        return fmt::format("{} in {}, view {}, {} x {}, {} spp, map {}", session_.technique->description().name,
-                           session_.sceneName, session_.viewName(), r.width, r.height, r.samplesPerPixel, r.mapSize);
+        const FrameRequest& r = session_.moment.request;
+        return fmt::format("{} in {}, view {}, {} x {}, {} spp, map {}", session_.technique.name(),
+                           session_.scene.name(), session_.view.name(), r.width, r.height, r.samplesPerPixel,
+                           r.mapSize);
     }
 
   private:
@@ -215,21 +218,21 @@ class Soak {
     static constexpr int largestWidth = 64, largestHeight = 48, maxSamples = 8, smallestMap = 16, mapSteps = 4;
 
     void holdDownBruteForce() {
-        if (session_.technique->description().name == "accumulation") setFromText(*session_.technique, "renders", "4");
+        if (session_.technique.name() == "accumulation") setFromText(session_.technique.current(), "renders", "4");
     }
 
     /// Goes round the window's loop, from where wishes have been granted, until the picture is whole, and looks for
     /// what went wrong.
     void draw(bool moving) {
-        if (!session_.sceneError.empty()) throw std::runtime_error(session_.sceneError);
+        if (!session_.panels.sceneError.empty()) throw std::runtime_error(session_.panels.sceneError);
         clock_ += 1.0;  // longer than the window waits for the mouse to come to rest
         for (int round = 0; round < 100; ++round) {
             clock_ += 0.02;
             session_.advance(clock_);
-            session_.request.width = width_;
-            session_.request.height = height_;
-            if (session_.sceneName == crowdScene)
-                session_.request.mapSize = std::min(session_.request.mapSize, maxCrowdMap);
+            session_.moment.request.width = width_;
+            session_.moment.request.height = height_;
+            if (session_.scene.name() == crowdScene)
+                session_.moment.request.mapSize = std::min(session_.moment.request.mapSize, maxCrowdMap);
             session_.driver.update(session_.wanted(moving && round < 2), session_.now);
             panels_.draw(session_);
             if (session_.driver.state() == FrameDriver::State::Failed) {
@@ -244,7 +247,7 @@ class Soak {
 
     /// A technique may say that it does not draw a frame; nothing else may fail.
     void refuseAllBut(const std::string& failure) const {
-        if (failure.rfind("technique " + session_.technique->description().name + " can't draw this frame", 0) != 0)
+        if (failure.rfind("technique " + session_.technique.name() + " can't draw this frame", 0) != 0)
             throw std::runtime_error(failure);
     }
 

@@ -97,6 +97,8 @@ PictureOptions randomState(int seed) {
     if (dice.yes()) options.camera = dice.yes() ? "knight" : "Camera of 'Ann' & \"Bob\"";
     if (dice.yes()) options.pose = randomPose(dice);
     if (dice.below(4) == 0) options.view = View::Visibility;
+    options.forceDynamic = dice.below(4) == 0;
+    options.noCache = dice.below(4) == 0;
     if (dice.below(3) == 0) {
         options.compared = {"tsm:bias=2", "ranges"};
         options.compareMode = static_cast<CompareMode>(dice.below(3));
@@ -113,6 +115,7 @@ void expectSamePicture(const PictureOptions& a, const PictureOptions& b) {
               std::tie(b.width, b.height, b.samplesPerPixel, b.mapSize, b.seed));
     EXPECT_EQ(std::tie(a.frame, a.instant, a.framesPerSecond, a.shutterLength, a.shutterPosition),
               std::tie(b.frame, b.instant, b.framesPerSecond, b.shutterLength, b.shutterPosition));
+    EXPECT_EQ(std::tie(a.forceDynamic, a.noCache), std::tie(b.forceDynamic, b.noCache));
     EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam),
               std::tie(b.view, b.techniqueView, b.compared, b.compareMode, b.seam));
     ASSERT_EQ(a.pose.has_value(), b.pose.has_value());
@@ -161,6 +164,20 @@ TEST(OptionsText, AndFromTheirSettingsFiles) {
         const std::string json = settingsJson(state, R"({"panels": true})");
         SCOPED_TRACE(json);
         expectSamePicture(state, std::get<ViewOptions>(parseWithSettings({"view"}, settingsOfJson(json, "s.json"))));
+    }
+}
+
+TEST(OptionsText, OldNamesOfTheYardsticksAreRead) {
+    const ShotOptions none = std::get<ShotOptions>(parseArguments({"shot", "chess", "-o", "F.png"}));
+    EXPECT_FALSE(none.forceDynamic || none.noCache);
+    for (const auto& [dynamic, cache] : {std::pair("force-dynamic", "no-cache"), std::pair("no-plan", "no-keep")}) {
+        const ShotOptions typed = std::get<ShotOptions>(
+            parseArguments({"shot", "chess", "-o", "F.png", "--" + std::string(dynamic), "--" + std::string(cache)}));
+        EXPECT_TRUE(typed.forceDynamic && typed.noCache) << dynamic;
+        const std::string json = std::string("{\"") + dynamic + "\": true, \"" + cache + "\": true}";
+        const ViewOptions read = std::get<ViewOptions>(parseWithSettings({"view"}, settingsOfJson(json, "s.json")));
+        EXPECT_TRUE(read.forceDynamic && read.noCache) << json;
+        EXPECT_EQ(settingsJson(read, ""), settingsJson(typed, "")) << json;
     }
 }
 

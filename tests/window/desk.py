@@ -6,6 +6,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -13,6 +14,9 @@ import unittest
 PROGRAM = os.environ.get("TIMESHADE", "")
 TOOLS = ("Xvfb", "xdotool", "import")
 SCREEN = (1600, 1000)
+# A small picture: a software renderer draws it in well under a second. The driver's complaints end in exit code 1.
+QUICK = ("--size", "900x600", "--spp", "2", "--map", "256", "--set", "accumulation.renders=4", "--gl-debug")
+PANEL_WIDTH = 340
 
 
 def missing_tools():
@@ -55,8 +59,10 @@ def read_ppm(data):
 class ClientMessage(ctypes.Structure):
     """Xlib's XClientMessageEvent, padded to the size of its XEvent."""
 
-    _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int), ("display", ctypes.c_void_p),
-                ("window", ctypes.c_ulong), ("message", ctypes.c_ulong), ("format", ctypes.c_int), ("data", ctypes.c_long * 5),
+    _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
+                ("display", ctypes.c_void_p),
+                ("window", ctypes.c_ulong), ("message", ctypes.c_ulong), ("format", ctypes.c_int), ("data",
+                                                                                                    ctypes.c_long * 5),
                 ("padding", ctypes.c_long * 24)]
 
 
@@ -66,7 +72,8 @@ class Display:
     def __init__(self):
         reading, writing = os.pipe()
         self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{SCREEN[0]}x{SCREEN[1]}x24", "-nolisten", "tcp", "-noreset"],
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{SCREEN[0]}x{SCREEN[1]}x24", "-nolisten", "tcp",
+             "-noreset"],
             pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as answer:
@@ -85,7 +92,8 @@ class Window:
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="timeshade-window-"))
         self.dump_path = self.folder / "ui.json"
         self.errors = open(self.folder / "stderr", "w+b")
-        self.environment = {**os.environ, "DISPLAY": display.name, "TIMESHADE_UI_SCALE": "1", "TIMESHADE_UI_DUMP": str(self.dump_path),
+        self.environment = {**os.environ, "DISPLAY": display.name, "TIMESHADE_UI_SCALE": "1",
+                            "TIMESHADE_UI_DUMP": str(self.dump_path),
                             "XDG_CONFIG_HOME": str(self.folder / "config")}
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.environment.update(environment)
@@ -104,7 +112,8 @@ class Window:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def hand(self, *arguments):
-        return subprocess.run(["xdotool", *arguments], env=self.environment, check=True, capture_output=True, text=True, timeout=120).stdout
+        return subprocess.run(["xdotool", *arguments], env=self.environment, check=True, capture_output=True, text=True,
+                              timeout=120).stdout
 
     def standard_error(self):
         self.errors.seek(0)
@@ -132,12 +141,14 @@ class Window:
             if dump is not None and condition(dump):
                 return dump
             if self.process.poll() is not None:
-                raise AssertionError(f"waiting for {what}, the program ended with {self.process.returncode}: {self.standard_error()}")
+                raise AssertionError(f"waiting for {what}, the program ended with {self.process.returncode}: "
+                                     f"{self.standard_error()}")
             time.sleep(0.03)
         raise AssertionError(f"waited {seconds} s for {what}; the window says {dump['state'] if dump else None}")
 
     def wait_state(self, **wanted):
-        return self.wait(lambda dump: all(dump["state"].get(key) == value for key, value in wanted.items()), f"{wanted}")
+        return self.wait(lambda dump: all(dump["state"].get(key) == value for key, value in wanted.items()),
+                         f"{wanted}")
 
     def settle(self, **wanted):
         """The picture is whole, and the window knows that it has been asked for these."""
@@ -231,7 +242,8 @@ class Window:
         """The whole window."""
         time.sleep(0.2)  # what the window has drawn last may still be on its way to the screen
         width, height = self.state()["window"]
-        data = subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+0+0", "+repage", "-depth", "8", "ppm:-"],
+        data = subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+0+0", "+repage", "-depth", "8",
+                               "ppm:-"],
                               env=self.environment, check=True, capture_output=True, timeout=60).stdout
         return read_ppm(data)
 
@@ -249,7 +261,8 @@ class Window:
         x11.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long, ctypes.c_void_p]
         x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
         display = x11.XOpenDisplay(self.environment["DISPLAY"].encode())
-        event = ClientMessage(type=33, window=int(self.id), message=x11.XInternAtom(display, b"WM_PROTOCOLS", 0), format=32)
+        event = ClientMessage(type=33, window=int(self.id), message=x11.XInternAtom(display, b"WM_PROTOCOLS", 0),
+                              format=32)
         event.data[0] = x11.XInternAtom(display, b"WM_DELETE_WINDOW", 0)
         x11.XSendEvent(display, int(self.id), 0, 0, ctypes.byref(event))
         x11.XCloseDisplay(display)  # sends it
@@ -274,3 +287,24 @@ class WindowTest(unittest.TestCase):
         """As at the end of every test: it goes when told to, and has had nothing to complain of."""
         self.assertEqual(window.quit(), 0, window.standard_error())
         self.assertEqual(window.standard_error(), "")
+
+
+def headless(command, folder):
+    """Runs a command line that the window has copied, in a shell and without a display."""
+    names = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    script = f"timeshade() {{ {PROGRAM!r} \"$@\"; }}\n{command}"
+    done = subprocess.run(["bash", "-c", script], cwd=folder, env=names, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, f"{command}\n{done.stderr}"
+
+
+def pixels(path):
+    """A picture file without what is written beside its pixels."""
+    return subprocess.run(["convert", path, "-depth", "8", "ppm:-"], check=True, capture_output=True).stdout
+
+
+def run_tests():
+    """Exits with 77 where a display can't be had."""
+    if missing_tools():
+        print(f"skipped: {', '.join(missing_tools())} not found")
+        sys.exit(77)
+    unittest.main()

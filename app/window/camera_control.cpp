@@ -1,0 +1,28 @@
+#include "window/camera_control.h"
+
+#include <fmt/format.h>
+
+namespace timeshade {
+
+CameraPose CameraControl::pose(const Scene& scene, const Moment& moment) const {
+    const FrameRequest& request = moment.request;
+    return orbit ? orbit->pose()
+                 : scene.camera(request.cameraIndex, request.shutter.openSeconds(moment.playback.frame()));
+}
+
+OrbitCamera& CameraControl::take(const Scene& scene, const Moment& moment) {
+    if (!orbit) orbit.emplace(pose(scene, moment), scene.bounds());
+    return *orbit;
+}
+
+void CameraControl::useSceneCamera(Moment& moment, std::size_t index) {
+    orbit.reset();
+    moment.request.cameraIndex = index;
+}
+
+void CameraControl::save(const Scene& scene, const Moment& moment) {
+    savedViews.push_back({fmt::format("View {}", savedViews.size() + 1),
+                          orbit ? *orbit : OrbitCamera(pose(scene, moment), scene.bounds())});
+}
+
+}  // namespace timeshade

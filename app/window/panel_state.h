@@ -1,0 +1,21 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace timeshade {
+
+/// The window's surface: what is unfolded, visible and typed. Nothing in it changes the picture.
+struct PanelState {
+    bool visible = true;  ///< the panels as a whole
+    bool keysVisible = false;
+    bool pageVisible = false;                              ///< of the technique
+    std::map<std::string, bool> sections;                  ///< unfolded or not, where that is not as at a first start
+    double textScale = 1.0;                                ///< the user's own, on top of the display's
+    std::string scenePath;                                 ///< what is typed in the field of scenes
+    std::string sceneError;                                ///< one line, why the last one could not be opened
+    std::string settingsPath = "timeshade-settings.json";  ///< what is typed in the field of settings files
+    std::string lastCommand;                               ///< that was copied
+};
+
+}  // namespace timeshade

@@ -1,0 +1,46 @@
+#include "window/picture_view.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <imgui.h>
+
+#include "panels/comparison_view.h"
+#include "window/session.h"
+
+namespace timeshade {
+
+namespace {
+
+ImTextureID idOf(const gl::Texture& texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.name()));
+}
+
+/// As large as fits, in the centre. Its rows go downwards.
+void drawFitted(const gl::Texture& picture, const Area& area) {
+    const auto width = static_cast<float>(picture.width()), height = static_cast<float>(picture.height());
+    const float factor = std::min(area.size.x / width, area.size.y / height);
+    const ImVec2 corner{area.position.x + 0.5f * (area.size.x - factor * width),
+                        area.position.y + 0.5f * (area.size.y - factor * height)};
+    ImGui::GetBackgroundDrawList()->AddImage(idOf(picture), corner,
+                                             {corner.x + factor * width, corner.y + factor * height});
+}
+
+/// OpenGL's rows go upwards.
+void drawFilling(const gl::Texture& picture, const Area& area) {
+    const ImVec2 end{area.position.x + area.size.x, area.position.y + area.size.y};
+    ImGui::GetBackgroundDrawList()->AddImage(idOf(picture), area.position, end, {0.0f, 1.0f}, {1.0f, 0.0f});
+}
+
+}  // namespace
+
+void drawPictureView(Session& session, Widgets& widgets, const Area& area) {
+    if (session.comparison.on() && session.comparison.picture() != nullptr)
+        drawComparison(session, widgets, area);
+    else if (const gl::Texture* diagnostic = session.diagnosticPicture.picture())
+        drawFitted(*diagnostic, area);
+    else if (const gl::Texture* picture = session.driver.picture())
+        drawFilling(*picture, area);
+}
+
+}  // namespace timeshade

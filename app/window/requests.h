@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace timeshade {
+
+/// What panels and keys ask for. It is done between two frames, when nobody refers to what it replaces.
+struct Requests {
+    std::optional<std::string> scene;  ///< a name or a path
+    std::optional<std::string> clip;   ///< of the scene that is shown
+    std::optional<std::string> technique;
+    std::optional<std::string> comparison;  ///< a technique to compare with; empty for none
+    std::optional<std::string> load;        ///< path of a settings file
+    bool rebuild = false;                   ///< the recipe's settings have changed
+    bool snapshot = false;                  ///< compare with a copy of the technique as it is set now
+    bool swap = false;                      ///< swap A and B of the comparison
+    bool screenshot = false;
+    bool exr = false;        ///< the screenshot is to be an EXR
+    bool recording = false;  ///< start or stop
+    bool save = false;       ///< the settings
+    bool command = false;    ///< the command line into the clipboard
+};
+
+}  // namespace timeshade
