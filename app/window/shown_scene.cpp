@@ -20,7 +20,7 @@ void ShownScene::replace(std::unique_ptr<Scene> scene) {
 }
 
 std::unique_ptr<Scene> ShownScene::open(const std::string& name, const SettingTexts& settings) {
-    const SceneRecipe* computed = recipeOf(name, settings);
+    SceneRecipe* computed = recipeOf(name, settings);
     return computed != nullptr ? computed->make() : openScene(name, "");
 }
 

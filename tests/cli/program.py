@@ -1,6 +1,7 @@
 """What the suites of this folder share: the program under test, run without a display in a folder of its own."""
 
 import ctypes
+import json
 import os
 import pathlib
 import shutil
@@ -13,7 +14,17 @@ import zlib
 PROGRAM = os.environ.get("TIMESHADE", "")
 SCENES = ("chess", "octopus", "pillars")  # those that are files
 COMPUTED = ("cubes", "rising", "frusta", "sphere")
-TECHNIQUES = ("static", "tsm", "accumulation", "exact", "ranges", "temporal", "history")
+
+
+def listed_techniques():
+    """Names of the techniques that the program has, in its order."""
+    if not PROGRAM:
+        return ()
+    listed = subprocess.run([PROGRAM, "list", "--json"], capture_output=True, text=True, check=True)
+    return tuple(technique["name"] for technique in json.loads(listed.stdout)["techniques"])
+
+
+TECHNIQUES = listed_techniques()
 # Small and quick: what these suites test does not depend on the number of pixels.
 QUICK = ("--size", "64x48", "--map", "64", "--spp", "2", "--set", "accumulation.renders=2",
          "--set", "history.warm_up=2")

@@ -15,7 +15,7 @@ import unittest
 import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
-from program import PROGRAM, Picture, environment  # noqa: E402
+from program import PROGRAM, TECHNIQUES, Picture, environment  # noqa: E402
 
 EXPECTED = pathlib.Path(__file__).resolve().parent / "expected"
 OUT = pathlib.Path(os.environ.get("GOLDEN_OUT", "build/golden"))
@@ -29,14 +29,14 @@ EDGES_OF_MAPS = {"levels": 6, "share": 0.012}
 # Sixteen frames one after the other: what differed in one stays in the next.
 HISTORY = {"levels": 8, "share": 0.02}
 
-CASES = {
-    "pillars-static": (("pillars", "--technique", "static"), EDGES_OF_MAPS),
-    "pillars-tsm": (("pillars", "--technique", "tsm"), EDGES_OF_MAPS),
-    "pillars-temporal": (("pillars", "--technique", "temporal"), EDGES_OF_MAPS),
-    "pillars-ranges": (("pillars", "--technique", "ranges"), EDGES_OF_MAPS),
-    "pillars-exact": (("pillars", "--technique", "exact"), ROUNDING),
-    "pillars-accumulation": (("pillars", "--technique", "accumulation", "--set", "accumulation.renders=8"), EDGES_OF_MAPS),
-    "pillars-history": (("pillars", "--technique", "history"), HISTORY),
+# Every technique that the program lists draws one picture; a new one's is skipped, by name, until it has been drawn.
+OF_TECHNIQUES = {"exact": ROUNDING, "history": HISTORY}
+FEWER_RENDERS = {"accumulation": ("--set", "accumulation.renders=8")}
+
+
+CASES = {f"pillars-{name}": (("pillars", "--technique", name, *FEWER_RENDERS.get(name, ())),
+                             OF_TECHNIQUES.get(name, EDGES_OF_MAPS)) for name in TECHNIQUES}
+CASES |= {
     "octopus-static": (("octopus", "--technique", "static"), EDGES_OF_MAPS),
     "octopus-tsm": (("octopus", "--technique", "tsm"), EDGES_OF_MAPS),
     "octopus-ranges": (("octopus", "--technique", "ranges"), EDGES_OF_MAPS),
@@ -71,6 +71,8 @@ class Golden(unittest.TestCase):
 
 def compare(name, arguments, levels, share):
     def test(self):
+        if not (EXPECTED / f"{name}.png").exists():
+            self.skipTest(f"there is no expected picture {name} yet: look at it and ./test --update-golden {name}")
         OUT.mkdir(parents=True, exist_ok=True)
         kept = [OUT / f"{name}-{what}.png" for what in ("actual", "expected", "difference")]
         for path in kept:
@@ -96,7 +98,7 @@ for case, (words, tolerance) in CASES.items():
 
 class Complete(unittest.TestCase):
     def test_no_picture_without_a_case(self):
-        self.assertEqual(sorted(path.stem for path in EXPECTED.glob("*")), sorted(CASES))
+        self.assertLessEqual({path.stem for path in EXPECTED.glob("*")}, set(CASES))
 
     def test_a_difference_is_seen(self):
         """Two techniques are further apart than any tolerance."""

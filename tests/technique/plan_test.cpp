@@ -18,7 +18,18 @@ namespace timeshade {
 namespace {
 
 /// Techniques whose picture depends on the frame alone.
-const std::vector<std::string> techniques{"static", "tsm", "accumulation", "ranges", "temporal", "exact"};
+const std::vector<std::string> techniques = [] {
+    std::vector<std::string> names;
+    gl::ProgramCache programs;
+    for (const TechniqueDescription& description : techniqueDescriptions())
+        if (makeTechnique(description.name, programs)->settlingFrames() == 0) names.push_back(description.name);
+    return names;
+}();
+
+bool hasSetting(Technique& technique, const std::string& key) {
+    const std::vector<Setting> settings = settingsOf(technique);
+    return std::any_of(settings.begin(), settings.end(), [&](const Setting& setting) { return setting.key == key; });
+}
 
 /// Two renderers, so that neither disturbs the other's caches.
 FrameRenderer& plannedRenderer() { return sharedRenderer(); }
@@ -57,7 +68,7 @@ struct Sequence {
         techniqueName = name;
         planned = makeTechnique(name, plannedRenderer().programs());
         plain = makeTechnique(name, forcedRenderer().programs());
-        if (name == "accumulation") set("renders", "3");
+        if (hasSetting(*planned, "renders")) set("renders", "3");
     }
     void set(const std::string& key, const std::string& text) {
         setFromText(*planned, key, text);
@@ -81,9 +92,9 @@ std::string disturb(Sequence& s, AwkwardNumbers& numbers) {
     case 6: s.choose(techniques[numbers.below(static_cast<std::uint32_t>(techniques.size()))]); return "technique";
     case 7: s.choose(numbers.word(), numbers.oneIn(4)); return "scene";
     case 8:
-        if (s.techniqueName == "static") s.set("pcf_radius", numbers.oneIn(2) ? "1" : "0");
-        if (s.techniqueName == "tsm") s.set("dynamic_bias", numbers.oneIn(2) ? "1" : "0");
-        if (s.techniqueName != "exact") s.set("bias", numbers.oneIn(2) ? "0.5" : "1.5");
+        if (hasSetting(*s.planned, "pcf_radius")) s.set("pcf_radius", numbers.oneIn(2) ? "1" : "0");
+        if (hasSetting(*s.planned, "dynamic_bias")) s.set("dynamic_bias", numbers.oneIn(2) ? "1" : "0");
+        if (hasSetting(*s.planned, "bias")) s.set("bias", numbers.oneIn(2) ? "0.5" : "1.5");
         return "setting";
     case 9: s.request.useCaches = !s.request.useCaches; return "keeping";
     case 10: return "held";  // the same moment again
@@ -150,7 +161,7 @@ TEST_P(PlanOfTechnique, ScenesLookAsIfNothingWerePlanned) {
         s.request.shutter = {scene.defaults().framesPerSecond, static_cast<double>(numbers.unit()),
                              ShutterPosition::Start};
         s.request.frame = scene.defaults().frame + static_cast<double>(numbers.below(8));
-        if (GetParam() != "exact" && numbers.oneIn(2)) s.set("bias", "1");
+        if (hasSetting(*s.planned, "bias") && numbers.oneIn(2)) s.set("bias", "1");
         FramePlanner planner(scene);
         for (int again = 0; again < 3; ++again)
             plannedRenderer().draw(planner.plan(s.request), *s.planned, View::Visibility);
