@@ -14,6 +14,7 @@ nlohmann::ordered_json asJson(const Setting& setting) {
     if (setting.isSwitch()) {
         json["default"] = setting.defaultValue != 0.0;
     } else {
+        if (setting.isChoice()) json["choices"] = setting.choices;  // the names of the values from the minimum on
         json["default"] = setting.defaultValue;
         json["minimum"] = setting.minimum;
         json["maximum"] = setting.maximum;
@@ -51,12 +52,17 @@ void listAsJson() {
     fmt::print("{}\n", json.dump(2));
 }
 
+/// The default, and what else there is.
+std::string rangeOf(const Setting& setting) {
+    if (setting.isSwitch()) return fmt::format("{} (on or off)", setting.defaultValue != 0.0 ? "on" : "off");
+    if (setting.isChoice())
+        return fmt::format("{} ({})", setting.choices[static_cast<std::size_t>(setting.defaultValue)],
+                           fmt::join(setting.choices, ", "));
+    return fmt::format("{:g} ({:g} to {:g}, {})", setting.defaultValue, setting.minimum, setting.maximum, setting.unit);
+}
+
 void listSetting(const std::string& owner, const Setting& setting) {
-    const std::string range = setting.isSwitch()
-                                  ? fmt::format("{} (on or off)", setting.defaultValue != 0.0 ? "on" : "off")
-                                  : fmt::format("{:g} ({:g} to {:g}, {})", setting.defaultValue, setting.minimum,
-                                                setting.maximum, setting.unit);
-    fmt::print("    {}.{} = {}\n        {}\n", owner, setting.key, range, setting.help);
+    fmt::print("    {}.{} = {}\n        {}\n", owner, setting.key, rangeOf(setting), setting.help);
 }
 
 void listAsText() {

@@ -84,6 +84,8 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
     for (const Setting& setting : settingsOf(technique)) {
         if (setting.isSwitch())
             json["settings"][setting.key] = setting.get() != 0.0;
+        else if (setting.isChoice())
+            json["settings"][setting.key] = textOf(setting);
         else
             json["settings"][setting.key] = setting.get();
     }

@@ -1,5 +1,7 @@
 #include "panels/setting_controls.h"
 
+#include <algorithm>
+
 namespace timeshade {
 
 namespace {
@@ -10,6 +12,19 @@ bool spansPowers(const Setting& setting) {
            (setting.minimum >= 0.0 && setting.defaultValue > 0.0 && setting.maximum > 20.0 * setting.defaultValue);
 }
 
+bool drawChoice(Setting setting, const std::string& id, const std::string& label, Widgets& widgets) {
+    std::vector<std::string> titles;
+    for (std::string choice : setting.choices) {
+        std::replace(choice.begin(), choice.end(), '-', '_');
+        titles.push_back(titleOfKey(choice));
+    }
+    const auto current = static_cast<std::size_t>(setting.get());
+    const auto chosen = widgets.combo(id, label, titles, current, setting.help, setting.choices);
+    if (!chosen || *chosen == current) return false;
+    setting.set(static_cast<double>(*chosen));
+    return true;
+}
+
 bool drawSetting(Setting setting, const std::string& owner, Widgets& widgets) {
     const std::string id = owner + "." + setting.key, label = titleOfKey(setting.key);
     if (setting.isSwitch()) {
@@ -18,6 +33,7 @@ bool drawSetting(Setting setting, const std::string& owner, Widgets& widgets) {
         if (changed) setting.set(on ? 1.0 : 0.0);
         return changed;
     }
+    if (setting.isChoice()) return drawChoice(setting, id, label, widgets);
     // A unit of several words does not fit into the slider, and "1 seed" says nothing.
     const bool shortUnit = setting.unit.size() <= 8;
     Widgets::Number number;
