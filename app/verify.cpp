@@ -53,7 +53,7 @@ std::string errorsInWords(const Verification& v) {
     if (const std::optional<ShadowError>& s = v.shadowError)
         text += fmt::format("  shadow error     {}; {} pixels, {} reference rays each\n", inWords(s->error),
                             s->error.count, s->rays);
-    const FootprintJudge::Result& f = v.footprintError;
+    const FootprintError& f = v.footprintError;
     if (f.error.count > 0)
         text += fmt::format("  footprint error  {}; {} samples{}\n", inWords(f.error), f.error.count,
                             f.rays > 0 ? fmt::format(", {} rays each", f.rays) : "");

@@ -7,8 +7,8 @@
 
 namespace timeshade {
 
-/// The oracle in a technique's clothes: reads the samples back, has Embree answer them and uploads the truth, so that
-/// the one frame function shades it. What references are made of, and the peer row of every measurement. Not in the
+/// Reference technique: reads the samples back, has the oracle test them and uploads the truth, so that the one frame
+/// function shades it. What references are made of, and the Embree row of every measurement. Not in the
 /// registry: it is no real-time technique.
 class ReferenceTechnique final : public Technique {
   public:

@@ -10,7 +10,7 @@ namespace timeshade {
 
 /// Shadow error of one frame: the mean of `lit` over each pixel's samples that face the light inside its cone, against
 /// the pixel's converged visibility. Sampling noise is part of it. Pixels are chosen by the reference, all weigh alike;
-/// left out are those in which no sample was tested (no value to judge), and samples of pixels that the reference does
+/// left out are those in which no sample was tested (no value), and samples of pixels that the reference does
 /// not have (no truth). Which those are depends on the camera samples alone, not on the technique.
 struct ShadowError {
     ErrorSummary error;                        ///< its count is that of the pixels that were compared

@@ -14,8 +14,13 @@ std::size_t pixelCount(const FramePlan& plan) { return std::size_t{plan.block.im
 class RenderComparison {
   public:
     RenderComparison(const Oracle& oracle, const FramePlan& plan, const VerificationOptions& options, Verification& sum,
-                     FootprintJudge& judge, PixelMeans& pixels)
-        : oracle_(oracle), plan_(plan), options_(options), sum_(sum), judge_(judge), pixels_(pixels) {}
+                     FootprintErrorSum& footprintError, PixelMeans& pixels)
+        : oracle_(oracle),
+          plan_(plan),
+          options_(options),
+          sum_(sum),
+          footprintError_(footprintError),
+          pixels_(pixels) {}
 
     void compareLit(const std::vector<std::uint32_t>& triangles, const std::vector<float>& lit, int stratumShown) {
         const std::vector<OracleAnswer> answers = oracle_.answer(plan_, triangles);
@@ -26,7 +31,7 @@ class RenderComparison {
             const OracleAnswer truth = answers[i].tested ? decide(answers[i], index, triangles[i], lit[i]) : answers[i];
             if (truth.tested) {
                 count(truth, lit[i]);
-                judge_.add(index, triangles[i], truth, lit[i]);
+                footprintError_.add(index, triangles[i], truth, lit[i]);
                 pixels_.add(i % pixelCount(plan_), static_cast<double>(lit[i]));
             }
             if (options_.visit) {
@@ -79,7 +84,7 @@ class RenderComparison {
     const FramePlan& plan_;
     const VerificationOptions& options_;
     Verification& sum_;
-    FootprintJudge& judge_;
+    FootprintErrorSum& footprintError_;
     PixelMeans& pixels_;
 };
 
@@ -91,7 +96,7 @@ FrameVerification::FrameVerification(FrameRenderer& renderer, FramePlan plan, Te
       plan_(std::move(plan)),
       options_(std::move(options)),
       oracle_(plan_),
-      judge_(oracle_, plan_, technique.renders(), technique.footprint(), options_.footprint),
+      footprintError_(oracle_, plan_, technique.renders(), technique.footprint(), options_.footprint),
       pixels_(pixelCount(plan_)) {
     sum_.footprint = technique.footprint();
     renderer_.begin(plan_, technique, View::Visibility);
@@ -102,10 +107,10 @@ bool FrameVerification::step() {
     renderer_.step();
     const FramePlan drawn = renders() > 1 ? planAtInstant(plan_, done_, renders()) : plan_;
     const std::vector<std::uint32_t> triangles = renderer_.readSampleIds();
-    RenderComparison comparison(oracle_, drawn, options_, sum_, judge_, pixels_);
-    judge_.beginRender(drawn, done_);
+    RenderComparison comparison(oracle_, drawn, options_, sum_, footprintError_, pixels_);
+    footprintError_.beginRender(drawn, done_);
     comparison.compareLit(triangles, renderer_.readVisibility(), done_);
-    judge_.finishRender();
+    footprintError_.finishRender();
     if (options_.checkPrimaries) comparison.comparePrimaries(triangles);
     ++done_;
     if (options_.progress) options_.progress(done_, renders());
@@ -115,7 +120,7 @@ bool FrameVerification::step() {
 Verification FrameVerification::result() const {
     Verification verification = sum_;
     if (sum_.tested > 0) verification.meanAbsoluteError /= static_cast<double>(sum_.tested);
-    verification.footprintError = judge_.result();
+    verification.footprintError = footprintError_.result();
     if (options_.reference && done_ == renders()) verification.shadowError = pixels_.against(*options_.reference);
     return verification;
 }

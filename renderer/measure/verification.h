@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "frame/frame_renderer.h"
-#include "measure/footprint_judge.h"
+#include "measure/footprint_error.h"
 #include "measure/shadow_error.h"
 #include "oracle/oracle.h"
 
 namespace timeshade {
 
 /// How a technique's lit values for the camera samples of one frame compare with the oracle's. Counts take a value for
-/// lit from 1/2 on, and judge it at the sample's own instant and point: they say something of techniques whose
+/// lit from 1/2 on, and compare it at the sample's own instant and point: they say something of techniques whose
 /// footprint is binary. The two errors say something of all.
 struct Verification {
     std::uint64_t samples = 0;          ///< camera samples of the frame
@@ -33,7 +33,7 @@ struct Verification {
     double meanAbsoluteError = 0.0;  ///< mean over the tested of |lit - truth at the sample's own instant and point|
 
     Footprint footprint;                     ///< of the technique, with its settings as they were
-    FootprintJudge::Result footprintError;   ///< nothing counted where it was not asked for
+    FootprintError footprintError;           ///< count 0 where it was not measured
     std::optional<ShadowError> shadowError;  ///< where a reference was given, once all renders have been compared
 
     std::uint64_t disagree() const { return falseShadow + falseLit; }
@@ -62,7 +62,7 @@ struct VerificationOptions {
     std::shared_ptr<const ReferenceVisibility> reference;
     /// How many samples the footprint error is measured on, and how well, where its truth is not exact. No samples: no
     /// such error then.
-    FootprintJudge::Options footprint;
+    FootprintErrorSum::Options footprint;
     /// Called with every sample that sees something, in order, if set.
     std::function<void(const VerifiedSample&)> visit;
     /// Called after each render with how many of how many are done, if set.
@@ -89,7 +89,7 @@ class FrameVerification {
     VerificationOptions options_;
     Oracle oracle_;
     Verification sum_;
-    FootprintJudge judge_;
+    FootprintErrorSum footprintError_;
     PixelMeans pixels_;
     int done_ = 0;
 };

@@ -13,8 +13,8 @@ struct Oracle::Implementation {
     explicit Implementation(const FramePlan& plan);
 
     /// Hits of Embree that its own floats might have got wrong are resolved exactly: those near to the receiver or to
-    /// the light always, those near to a caster's edge where it is asked for. At an edge a float errs to either side
-    /// alike, on a millionth of all rays: a mean over many need not care.
+    /// the light always, those near to a caster's edge only where `edges` says so. At an edge a float errs to either
+    /// side alike, on a millionth of all rays: a mean over many need not care.
     enum class Edges { AsEmbreeSays, ResolvedExactly };
 
     /// Resolves `lit` of a receiver that is tested, in double precision.

@@ -35,13 +35,17 @@ class RayPattern {
     RayPattern(glm::uvec2 pixel, float from, float to, std::uint32_t rays, std::uint32_t seed)
         : pixel_(pixel), from_(from), to_(to), step_((to - from) / static_cast<float>(rays)), seed_(seed) {}
 
-    float time(std::uint32_t ray) const { return std::min(shared::sampleTime(from_, step_, ray, pattern(ray).z), to_); }
+    float time(std::uint32_t ray) const { return timeOf(ray, pattern(ray)); }
     CameraRay cameraRay(const FramePlan& plan, std::uint32_t ray) const {
-        return cameraRayThrough(plan, glm::vec2(pixel_) + glm::vec2(pattern(ray)), time(ray));
+        const glm::vec3 place = pattern(ray);
+        return cameraRayThrough(plan, glm::vec2(pixel_) + glm::vec2(place), timeOf(ray, place));
     }
 
   private:
     glm::vec3 pattern(std::uint32_t ray) const { return shared::samplePattern(pixel_, ray, seed_, SALT_CAMERA); }
+    float timeOf(std::uint32_t ray, const glm::vec3& pattern) const {
+        return std::min(shared::sampleTime(from_, step_, ray, pattern.z), to_);
+    }
 
     glm::uvec2 pixel_;
     float from_, to_, step_;

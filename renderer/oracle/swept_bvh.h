@@ -35,7 +35,7 @@ struct SweptBox {
 };
 
 /// A double-precision hierarchy of swept boxes: finds all triangles within `pad` of a line at a time u, and more, never
-/// fewer. Its own, so that the oracle's rulings do not rest on any other tracer.
+/// fewer. Its own, so that what is resolved exactly rests on no other tracer.
 class SweptBvh {
   public:
     explicit SweptBvh(const MovingTriangles& triangles);

@@ -9,7 +9,7 @@
 
 namespace timeshade {
 
-/// For tests of what judges techniques: its values are what a function makes of the plan and the samples, and its
+/// For tests of how techniques are measured: its values are what a function makes of the plan and the samples, and its
 /// footprint is what the test declares. Values where nothing is tested do not matter.
 class GivenVisibilityTechnique final : public Technique {
   public:

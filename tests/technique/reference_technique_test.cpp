@@ -1,4 +1,4 @@
-// The truth in a technique's clothes: the oracle's answers by way of the frame function, and what is made of them.
+// The reference technique: the oracle's lit values by way of the frame function, and what is made of them.
 
 #include <cmath>
 #include <filesystem>
@@ -91,7 +91,7 @@ TEST(DisplayEncoding, IsWhatTheDisplayPassShows) {
     for (std::size_t i = 0; i < shown.rgb.size(); ++i) ASSERT_NEAR(shown.rgb[i], encoded.rgb[i], 1) << "value " << i;
 }
 
-/// The peer is only measured, but it must measure the same work.
+/// The Embree baseline is only timed, but it must do the same work.
 TEST(EmbreeBaseline, SeesWhatTheSamplePassSees) {
     const FramePlan plan = planOf(*closedFormCase("light_slides").scene, 8);
     ReferenceTechnique truth;

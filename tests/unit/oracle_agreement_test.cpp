@@ -1,6 +1,6 @@
-// The oracle's two halves against each other and against a third: Embree in floats, the rulings over their own
+// The oracle's two halves against each other and against a third: Embree in floats, samples resolved over their own
 // hierarchy in exact arithmetic, and every triangle tried in turn by the textbook. They may differ only where the
-// rulings say that a float's rounding decides.
+// exact half says that a float's rounding decides.
 #include <algorithm>
 #include <cmath>
 #include <memory>

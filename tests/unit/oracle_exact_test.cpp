@@ -1,4 +1,4 @@
-// The exact arithmetic under the oracle's rulings, against integers that cannot round.
+// The exact arithmetic that the oracle resolves doubtful samples by, against integers that cannot round.
 #include <cmath>
 #include <cstdint>
 #include <limits>

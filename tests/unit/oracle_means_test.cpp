@@ -96,15 +96,15 @@ TEST(OracleMeans, RowsOfAPictureAreItsRows) {
 }
 
 /// All samples of a frame that are tested, and the mean over a footprint of each.
-struct Judged {
+struct Means {
     std::vector<SampleFootprint> footprints;
     std::vector<OracleAnswer> answers;
     std::vector<VisibilityMean> means;
 };
 
 template <class Shape>
-Judged judge(const Oracle& oracle, const FramePlan& plan, std::uint32_t rays, const Shape& shape) {
-    Judged judged;
+Means meansOver(const Oracle& oracle, const FramePlan& plan, std::uint32_t rays, const Shape& shape) {
+    Means found;
     const std::vector<std::uint32_t> ids = oracle.tracePrimaries(plan);
     const std::vector<OracleAnswer> answers = oracle.answer(plan, ids);
     const glm::uvec2 size = plan.block.imageSize;
@@ -114,11 +114,11 @@ Judged judge(const Oracle& oracle, const FramePlan& plan, std::uint32_t rays, co
         over.sample = {i % size.x, i / size.x % size.y, i / (size.x * size.y)};
         over.triangle = ids[i];
         shape(over, answers[i]);
-        judged.footprints.push_back(over);
-        judged.answers.push_back(answers[i]);
+        found.footprints.push_back(over);
+        found.answers.push_back(answers[i]);
     }
-    judged.means = oracle.footprintMeans(plan, judged.footprints, rays, 11);
-    return judged;
+    found.means = oracle.footprintMeans(plan, found.footprints, rays, 11);
+    return found;
 }
 
 /// A ground that slides by one unit: the edge passes a point that is at x at time t when x + u - t = 2 u - 1.
@@ -126,17 +126,18 @@ TEST(OracleMeans, APointIsFollowedOnItsTriangle) {
     const SweepingEdge scene(1.0);
     const FramePlan plan = scene.plan(side, side, 4);
     const Oracle oracle(plan);
-    const Judged judged = judge(oracle, plan, 128, [](SampleFootprint& over, const OracleAnswer&) {
+    const Means found = meansOver(oracle, plan, 128, [](SampleFootprint& over, const OracleAnswer&) {
         over.from = 0.0f;
         over.to = 1.0f;
     });
-    ASSERT_GT(judged.means.size(), 900u);
-    for (std::size_t i = 0; i < judged.means.size(); ++i) {
-        const OracleAnswer& at = judged.answers[i];
-        const double exact = std::clamp(at.position.x - static_cast<double>(at.time) + 1.0, 0.0, 1.0);
-        ASSERT_EQ(judged.means[i].tested, 128u);
+    ASSERT_GT(found.means.size(), 900u);
+    for (std::size_t i = 0; i < found.means.size(); ++i) {
+        const OracleAnswer& at = found.answers[i];
+        const double x = at.position.x + plan.origin.x;
+        const double exact = std::clamp(x - static_cast<double>(at.time) + 1.0, 0.0, 1.0);
+        ASSERT_EQ(found.means[i].tested, 128u);
         // One end of the shadow: the one stratum of 128 that it falls into is left to chance.
-        ASSERT_NEAR(judged.means[i].value(), exact, 1.0 / 128.0 + 1e-9);
+        ASSERT_NEAR(found.means[i].value(), exact, 1.0 / 128.0 + 1e-9);
     }
 }
 
@@ -144,29 +145,29 @@ TEST(OracleMeans, AStratumIsNotTheShutter) {
     const SweepingEdge scene;
     const FramePlan plan = scene.plan(side, side, 4);
     const Oracle oracle(plan);
-    const Judged judged = judge(oracle, plan, 128, [](SampleFootprint& over, const OracleAnswer&) {
+    const Means found = meansOver(oracle, plan, 128, [](SampleFootprint& over, const OracleAnswer&) {
         over.from = 0.25f * static_cast<float>(over.sample.stratum);
         over.to = over.from + 0.25f;
     });
     std::size_t fractions = 0;
-    for (std::size_t i = 0; i < judged.means.size(); ++i) {
-        const double from = static_cast<double>(judged.footprints[i].from);
-        const double passed = 0.5 * (judged.answers[i].position.x + 1.0);  // when the edge does
+    for (std::size_t i = 0; i < found.means.size(); ++i) {
+        const double from = static_cast<double>(found.footprints[i].from);
+        const double passed = 0.5 * (found.answers[i].position.x + plan.origin.x + 1.0);  // when the edge does
         const double exact = std::clamp((passed - from) / 0.25, 0.0, 1.0);
-        ASSERT_NEAR(judged.means[i].value(), exact, 1.0 / 128.0 + 1e-6);
+        ASSERT_NEAR(found.means[i].value(), exact, 1.0 / 128.0 + 1e-6);
         fractions += exact > 0.0 && exact < 1.0 ? 1u : 0u;
     }
-    EXPECT_GT(fractions, judged.means.size() / 10);
+    EXPECT_GT(fractions, found.means.size() / 10);
 }
 
 TEST(OracleMeans, AnInstantAtAPointIsTheAnswer) {
     const SweepingEdge scene(1.0);
     const FramePlan plan = scene.plan(side, side, 4);
     const Oracle oracle(plan);
-    const Judged judged = judge(
+    const Means found = meansOver(
         oracle, plan, 8, [](SampleFootprint& over, const OracleAnswer& answer) { over.from = over.to = answer.time; });
-    for (std::size_t i = 0; i < judged.means.size(); ++i)
-        ASSERT_EQ(judged.means[i].value(), judged.answers[i].lit ? 1.0 : 0.0);
+    for (std::size_t i = 0; i < found.means.size(); ++i)
+        ASSERT_EQ(found.means[i].value(), found.answers[i].lit ? 1.0 : 0.0);
 }
 
 TEST(OracleMeans, WhatThePixelsAreaSeesAtAnInstantAndOverAStratum) {
@@ -174,22 +175,22 @@ TEST(OracleMeans, WhatThePixelsAreaSeesAtAnInstantAndOverAStratum) {
     const FramePlan plan = scene.plan(side, side, 4);
     const Oracle oracle(plan);
     for (const bool instant : {true, false}) {
-        const Judged judged = judge(oracle, plan, 1024, [&](SampleFootprint& over, const OracleAnswer& answer) {
+        const Means found = meansOver(oracle, plan, 1024, [&](SampleFootprint& over, const OracleAnswer& answer) {
             over.space = SampleFootprint::Space::PixelSurface;
             over.from = instant ? answer.time : 0.25f * static_cast<float>(over.sample.stratum);
             over.to = instant ? answer.time : over.from + 0.25f;
         });
         double squares = 0.0;
-        for (std::size_t i = 0; i < judged.means.size(); ++i) {
-            const SampleFootprint& over = judged.footprints[i];
+        for (std::size_t i = 0; i < found.means.size(); ++i) {
+            const SampleFootprint& over = found.footprints[i];
             const auto column = static_cast<int>(over.sample.x);
             const double a = SweepingEdge::begin(column, side), b = SweepingEdge::begin(column + 1, side);
             const double exact = litShareOver(a, b, static_cast<double>(over.from), static_cast<double>(over.to));
             // Places of the shared pattern are spread evenly: nearer than independent ones, which stray by up to 0.06.
-            ASSERT_NEAR(judged.means[i].value(), exact, 0.04);
-            squares += (judged.means[i].value() - exact) * (judged.means[i].value() - exact);
+            ASSERT_NEAR(found.means[i].value(), exact, 0.04);
+            squares += (found.means[i].value() - exact) * (found.means[i].value() - exact);
         }
-        EXPECT_LT(std::sqrt(squares / static_cast<double>(judged.means.size())), 0.006);
+        EXPECT_LT(std::sqrt(squares / static_cast<double>(found.means.size())), 0.006);
     }
 }
 
@@ -198,20 +199,20 @@ TEST(OracleMeans, ASurfaceIsOneInstance) {
     const SweepingEdge scene(0.0, true);
     const FramePlan plan = scene.plan(1, 9, 4);
     const Oracle oracle(plan);
-    const Judged judged = judge(oracle, plan, 1024, [](SampleFootprint& over, const OracleAnswer& answer) {
+    const Means found = meansOver(oracle, plan, 1024, [](SampleFootprint& over, const OracleAnswer& answer) {
         over.space = SampleFootprint::Space::PixelSurface;
         over.from = over.to = answer.time;
     });
     const double height = 2.0 * std::tan(0.4), width = height / 9.0;  // half of what the picture sees on the ground
     std::size_t onGround = 0, onStep = 0;
-    for (std::size_t i = 0; i < judged.means.size(); ++i) {
-        const double u = static_cast<double>(judged.answers[i].time);
-        const bool ground = judged.footprints[i].triangle < 2;
+    for (std::size_t i = 0; i < found.means.size(); ++i) {
+        const double u = static_cast<double>(found.answers[i].time);
+        const bool ground = found.footprints[i].triangle < 2;
         // At the step's height, z = 1/2, the edge of the shadow is at 1.9 c(u) and the picture's at 3/4 of it.
         const double exact =
             ground ? litShareAt(0.0, width, u) : std::clamp((0.0 - 0.95 * (2.0 * u - 1.0)) / (0.75 * width), 0.0, 1.0);
-        ASSERT_NEAR(judged.means[i].tested, 512.0, 16.0);
-        ASSERT_NEAR(judged.means[i].value(), exact, 0.05);
+        ASSERT_NEAR(found.means[i].tested, 512.0, 16.0);
+        ASSERT_NEAR(found.means[i].value(), exact, 0.05);
         ++(ground ? onGround : onStep);
     }
     EXPECT_GT(onGround, 5u);

@@ -13,6 +13,7 @@ import unittest
 
 PROGRAM = sys.argv[1]
 SMALL = ["--size", "160x120", "--spp", "2", "--map", "256"]
+VERIFY = [*SMALL, "--reference-rays", "64"]
 
 
 def run(*arguments, cache=None):
@@ -24,38 +25,92 @@ def run(*arguments, cache=None):
 
 class Verify(unittest.TestCase):
     def test_same_numbers_every_time(self):
-        first, second = (run("verify", "octopus", *SMALL, "--json", "-") for _ in range(2))
+        first, second = (run("verify", "octopus", *VERIFY, "--json", "-") for _ in range(2))
         self.assertEqual(first.returncode, 0, first.stderr)
         self.assertEqual(first.stdout, second.stdout)
 
     def test_report_has_what_is_promised(self):
-        report = json.loads(run("verify", "chess", "--technique", "static", *SMALL, "--json", "-").stdout)
-        for key in ("scene", "technique", "settings", "spp", "size", "map", "seed", "frame", "samples", "tested", "shadowed", "disagree",
-                    "false_shadow", "false_lit", "ppm", "primary_tested", "primary_disagree", "primary_ppm", "gl"):
+        report = json.loads(run("verify", "chess", "--technique", "static", *VERIFY, "--json", "-").stdout)
+        for key in ("scene", "technique", "settings", "spp", "size", "map", "seed", "frame", "samples",
+                    "tested", "shadowed", "disagree",
+                    "false_shadow", "false_lit", "ppm", "primary_tested", "primary_disagree", "primary_ppm", "gl",
+                    "footprint", "pixels", "shadow_error", "footprint_error", "reference_rays", "resolved_exactly",
+                    "corrected"):
             self.assertIn(key, report)
+        for key in ("mean", "rms", "p999", "standard_error"):
+            self.assertIn(key, report["shadow_error"])
+            self.assertIn(key, report["footprint_error"])
         self.assertEqual(report["disagree"], report["false_shadow"] + report["false_lit"])
         self.assertEqual(report["samples"], 160 * 120 * 2)
 
+    def test_both_errors_of_every_technique(self):
+        techniques = [t["name"] for t in json.loads(run("list", "--json").stdout)["techniques"]]
+        self.assertGreater(len(techniques), 5)
+        with tempfile.TemporaryDirectory() as cache:
+            for scene in ("chess", "octopus", "pillars", "cubes"):
+                for technique in techniques:
+                    with self.subTest(scene=scene, technique=technique):
+                        result = run("verify", scene, "--technique", technique, "--size", "48x36", "--spp", "2",
+                                     "--map", "128", "--reference-rays", "64", "--set", "accumulation.renders=4",
+                                     "--json", "-", cache=cache)
+                        self.assertEqual(result.returncode, 0, result.stderr)
+                        report = json.loads(result.stdout)
+                        self.assertEqual(report["reference_rays"], 64)
+                        self.assertGreater(report["pixels"], 1000)
+                        for error in (report["shadow_error"], report["footprint_error"]):
+                            self.assertTrue(0 <= error["rms"] <= 1 and 0 <= error["mean"] <= error["p999"] <= 1, error)
+                            self.assertGreaterEqual(error["standard_error"], 0)
+                        # Two samples a pixel are noisy whatever the technique: between a technique that is right and
+                        # one that is never.
+                        self.assertTrue(0.02 < report["shadow_error"]["rms"] < 0.5, report["shadow_error"])
+                        footprint = report["footprint"]
+                        binary = (footprint == {"time": "instant", "space": "point", "filter_texels": 0})
+                        self.assertEqual(report["ppm"] is not None, binary)
+                        if binary:
+                            self.assertEqual(report["footprint_samples"], report["tested"])
+                            self.assertAlmostEqual(report["footprint_error"]["mean"], report["ppm"] * 1e-6)
+
+    def test_reference_is_kept_and_can_be_left_out(self):
+        with tempfile.TemporaryDirectory() as cache:
+            arguments = ["verify", "chess", *SMALL, "--reference-rays", "32", "--json", "-"]
+            first, second = run(*arguments, cache=cache), run(*arguments, cache=cache)
+            self.assertEqual(first.stdout, second.stdout)
+            self.assertEqual(len(os.listdir(os.path.join(cache, "timeshade"))), 1)
+        report = json.loads(run("verify", "chess", *SMALL, "--reference-rays", "0", "--json", "-").stdout)
+        self.assertNotIn("shadow_error", report)
+        self.assertIn("footprint_error", report)
+
     def test_sample_pass_sees_what_the_oracle_sees(self):
         for scene in ("chess", "octopus", "pillars"):
-            report = json.loads(run("verify", scene, "--technique", "static", *SMALL, "--json", "-").stdout)
+            report = json.loads(run("verify", scene, "--technique", "static", *VERIFY, "--json", "-").stdout)
             self.assertLessEqual(report["primary_ppm"], 20, scene)
 
     def test_tsm_is_worst_on_pillars(self):
-        ppm = {scene: json.loads(run("verify", scene, *SMALL, "--json", "-").stdout)["ppm"] for scene in ("chess", "octopus", "pillars")}
+        ppm = {scene: json.loads(run("verify", scene, *VERIFY, "--json", "-").stdout)["ppm"]
+               for scene in ("chess", "octopus", "pillars")}
         self.assertEqual(max(ppm, key=ppm.get), "pillars", ppm)
 
     def test_gate(self):
-        self.assertEqual(run("verify", "chess", *SMALL, "--max-ppm", "0").returncode, 3)
-        self.assertEqual(run("verify", "chess", *SMALL, "--max-ppm", "1000000").returncode, 0)
+        self.assertEqual(run("verify", "chess", *VERIFY, "--max-ppm", "0").returncode, 3)
+        self.assertEqual(run("verify", "chess", *VERIFY, "--max-ppm", "1000000").returncode, 0)
+
+    def test_gate_is_for_techniques_that_are_right_or_wrong(self):
+        result = run("verify", "chess", *VERIFY, "--technique", "history", "--max-ppm", "1000")
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertIn("the whole shutter", result.stderr)
+        result = run("verify", "chess", *VERIFY, "--technique", "static", "--set", "static.pcf_radius=2",
+                     "--max-ppm", "1000")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("texels", result.stderr)
 
 
 class Measure(unittest.TestCase):
     def test_tables_and_resuming(self):
         with tempfile.TemporaryDirectory() as folder:
             out, cache = os.path.join(folder, "out"), os.path.join(folder, "cache")
-            arguments = ["measure", "chess", "-o", out, "--techniques", "static,tsm,embree", "--spps", "1,2", "--rounds", "2", "--reference", "32",
-                         "--size", "80x60", "--map", "128"]
+            arguments = ["measure", "chess", "-o", out, "--techniques", "static,tsm,embree", "--spps", "1,2",
+                         "--rounds", "2", "--reference", "32", "--size", "80x60", "--map", "128"]
             first = run(*arguments, cache=cache)
             self.assertEqual(first.returncode, 0, first.stderr)
             with open(os.path.join(out, "accuracy.csv"), newline="", encoding="utf-8") as stream:
@@ -70,8 +125,8 @@ class Measure(unittest.TestCase):
                 manifest = json.load(stream)["manifest"]
             self.assertIn("renderer", manifest["gl"])
             self.assertIn("triangles move", " ".join(manifest["plans"]["chess"]))
-            # Interrupted after the first row: the row is kept to the last digit, the others are measured anew, and errors
-            # and counts come out the same.
+            # Interrupted after the first row: the row is kept to the last digit, the others are measured anew, and
+            # errors and counts come out the same.
             journal = os.path.join(out, "rows.jsonl")
             with open(journal, encoding="utf-8") as stream:
                 lines = stream.readlines()
@@ -87,8 +142,9 @@ class Measure(unittest.TestCase):
 
     def test_varied_settings_and_variants(self):
         with tempfile.TemporaryDirectory() as folder:
-            result = run("measure", "-o", folder, "--vary", "cubes.count=20,60", "--techniques", "tsm,tsm:bias=4", "--spp", "2", "--rounds", "2",
-                         "--reference", "16", "--size", "64x48", "--map", "64", cache=os.path.join(folder, "cache"))
+            result = run("measure", "-o", folder, "--vary", "cubes.count=20,60", "--techniques", "tsm,tsm:bias=4",
+                         "--spp", "2", "--rounds", "2", "--reference", "16", "--size", "64x48", "--map", "64",
+                         cache=os.path.join(folder, "cache"))
             self.assertEqual(result.returncode, 0, result.stderr)
             with open(os.path.join(folder, "accuracy.csv"), newline="", encoding="utf-8") as stream:
                 rows = list(csv.DictReader(stream))
@@ -106,10 +162,14 @@ class Measure(unittest.TestCase):
 
     def test_wrong_variations(self):
         with tempfile.TemporaryDirectory() as folder:
-            for arguments, words in ((("--vary", "cubes.count=0,5"), ("cubes.count=0", "expected")), (("--vary", "cubes.count="), ("expected",)),
-                                     (("--vary", "chess.count=5"), ("chess", "expected")), (("--vary", "cubes.nonsense=5"), ("nonsense", "expected")),
-                                     (("chess", "--vary", "cubes.count=5"), ("cubes",)), (("--techniques", "tsm:bias"), ("tsm:bias", "expected")),
-                                     (("--techniques", "tsm:nonsense=5"), ("nonsense", "expected")), (("--techniques", "tsm:bias=-5"), ("bias", "expected"))):
+            for arguments, words in ((("--vary", "cubes.count=0,5"), ("cubes.count=0", "expected")),
+                                     (("--vary", "cubes.count="), ("expected",)),
+                                     (("--vary", "chess.count=5"), ("chess", "expected")),
+                                     (("--vary", "cubes.nonsense=5"), ("nonsense", "expected")),
+                                     (("chess", "--vary", "cubes.count=5"), ("cubes",)),
+                                     (("--techniques", "tsm:bias"), ("tsm:bias", "expected")),
+                                     (("--techniques", "tsm:nonsense=5"), ("nonsense", "expected")),
+                                     (("--techniques", "tsm:bias=-5"), ("bias", "expected"))):
                 result = run("measure", *arguments, "-o", folder)
                 self.assertEqual(result.returncode, 2, arguments)
                 self.assertEqual(result.stderr.count("\n"), 1, result.stderr)

@@ -6,7 +6,7 @@ import struct
 
 
 def write_small_scene(path):
-    """A floor of 8 x 8 units, a quad of 2 x 2 units that slides over it within one second, a spot light that slides too."""
+    """A floor of 8 x 8 units, a quad of 2 x 2 units that slides over it within one second, a spot that slides too."""
     floor = [(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)]
     quad = [(-1, 2, 1), (1, 2, 1), (1, 2, -1), (-1, 2, -1)]
     positions = b"".join(struct.pack("<3f", *v) for v in floor + quad)
@@ -21,13 +21,15 @@ def write_small_scene(path):
         offset += len(part)
 
     def accessor(view, component, count, kind, start=0, **bounds):
-        return dict({"bufferView": view, "byteOffset": start, "componentType": component, "count": count, "type": kind}, **bounds)
+        return dict({"bufferView": view, "byteOffset": start, "componentType": component, "count": count,
+                     "type": kind}, **bounds)
 
     down = [-0.7071067811865476, 0, 0, 0.7071067811865476]  # turns -z to -y
     document = {
         "asset": {"version": "2.0"},
         "extensionsUsed": ["KHR_lights_punctual"],
-        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 100, "spot": {"outerConeAngle": 0.9}}]}},
+        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 100,
+                                                           "spot": {"outerConeAngle": 0.9}}]}},
         "scene": 0,
         "scenes": [{"nodes": [0, 1, 2, 3]}],
         "nodes": [
@@ -53,7 +55,8 @@ def write_small_scene(path):
                          {"sampler": 1, "target": {"node": 2, "path": "translation"}}],
         }],
         "bufferViews": views,
-        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+        "buffers": [{"byteLength": len(data),
+                     "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
     }
     del document["materials"]
     with open(path, "w", encoding="utf-8") as stream:

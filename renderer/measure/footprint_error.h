@@ -9,34 +9,36 @@
 
 namespace timeshade {
 
-/// Footprint error of one frame: `lit` at a technique's own samples against the oracle's mean over the technique's own
-/// footprint. Where that is an instant at a point, the truth is the oracle's exact value and every tested sample is
-/// judged. Else the truth is a mean of rays, in two independent halves, and samples are chosen by a hash of their
-/// place.
-class FootprintJudge {
+/// How far `lit` at a technique's own samples is from the oracle's mean over the technique's own footprint: what the
+/// technique itself gets wrong, whatever its number of samples.
+struct FootprintError {
+    ErrorSummary error;      ///< its count is that of the samples that were compared
+    std::uint32_t rays = 0;  ///< of each mean, both halves together; 0 where the truth is exact
+};
+
+/// Collects the samples of all renders of a frame. Where the footprint is an instant at a point, the truth is the
+/// oracle's exact value and every tested sample is compared. Else the truth is a mean of rays, in two independent
+/// halves, and samples are chosen by a hash of their place. A declared blur is no part of the truth.
+class FootprintErrorSum {
   public:
     /// Of the rays of the two halves.
     static constexpr std::uint32_t firstSeed = 0x0f007001u, secondSeed = 0x0f008002u;
 
     struct Options {
-        std::uint32_t samples = 16384;  ///< about so many of all camera samples are judged where that takes means
+        std::uint32_t samples = 16384;  ///< about so many of all camera samples are compared where that takes means
         std::uint32_t rays = 512;       ///< of each mean, both halves together
     };
-    struct Result {
-        ErrorSummary error;      ///< its count is that of the samples that were judged
-        std::uint32_t rays = 0;  ///< of each mean; 0 where the truth is exact
-    };
 
-    /// `plan` is that of the whole frame, which is drawn in so many renders. The oracle must outlive the judge.
-    FootprintJudge(const Oracle& oracle, const FramePlan& plan, int renders, const Footprint& footprint,
-                   Options options);
+    /// `plan` is that of the whole frame, which is drawn in so many renders. The oracle must outlive this.
+    FootprintErrorSum(const Oracle& oracle, const FramePlan& plan, int renders, const Footprint& footprint,
+                      Options options);
     /// The render that the samples after this belong to: its plan, and its number. The plan must live until
     /// finishRender.
     void beginRender(const FramePlan& plan, int render);
     /// A sample that faces the light inside its cone.
     void add(SampleIndex sample, std::uint32_t triangle, const OracleAnswer& truth, float lit);
     void finishRender();
-    Result result() const;
+    FootprintError result() const;
 
   private:
     bool isExact() const;

@@ -1,4 +1,4 @@
-#include "measure/footprint_judge.h"
+#include "measure/footprint_error.h"
 
 #include <algorithm>
 
@@ -12,8 +12,8 @@ std::size_t pixelsOf(const FramePlan& plan) { return std::size_t{plan.block.imag
 
 }  // namespace
 
-FootprintJudge::FootprintJudge(const Oracle& oracle, const FramePlan& plan, int renders, const Footprint& footprint,
-                               Options options)
+FootprintErrorSum::FootprintErrorSum(const Oracle& oracle, const FramePlan& plan, int renders,
+                                     const Footprint& footprint, Options options)
     : oracle_(oracle),
       footprint_(footprint),
       options_(options),
@@ -23,22 +23,22 @@ FootprintJudge::FootprintJudge(const Oracle& oracle, const FramePlan& plan, int 
     chosenShare_ = static_cast<double>(options.samples) / (static_cast<double>(pixelsOf(plan)) * strata_);
 }
 
-void FootprintJudge::beginRender(const FramePlan& plan, int render) {
+void FootprintErrorSum::beginRender(const FramePlan& plan, int render) {
     plan_ = &plan;
     render_ = static_cast<std::uint32_t>(render);
 }
 
 /// A filter is no part of the truth.
-bool FootprintJudge::isExact() const {
+bool FootprintErrorSum::isExact() const {
     return footprint_.time == Footprint::Time::Instant && footprint_.space == Footprint::Space::Point;
 }
 
-bool FootprintJudge::isChosen(SampleIndex sample) const {
+bool FootprintErrorSum::isChosen(SampleIndex sample) const {
     const std::uint32_t lot = shared::hashWords({sample.x, sample.y, 0x5eedu + sample.stratum + render_}).y;
     return static_cast<double>(shared::unitInterval(lot)) < chosenShare_;
 }
 
-SampleFootprint FootprintJudge::over(SampleIndex sample, std::uint32_t triangle, float time) const {
+SampleFootprint FootprintErrorSum::over(SampleIndex sample, std::uint32_t triangle, float time) const {
     SampleFootprint over{sample, triangle, 0.0f, 1.0f, SampleFootprint::Space::Point};
     if (footprint_.space == Footprint::Space::PixelSurface) over.space = SampleFootprint::Space::PixelSurface;
     if (footprint_.time == Footprint::Time::Instant) over.from = over.to = time;
@@ -51,9 +51,9 @@ SampleFootprint FootprintJudge::over(SampleIndex sample, std::uint32_t triangle,
     return over;
 }
 
-std::size_t FootprintJudge::pixelOf(SampleIndex sample) const { return sample.y * width_ + sample.x; }
+std::size_t FootprintErrorSum::pixelOf(SampleIndex sample) const { return sample.y * width_ + sample.x; }
 
-void FootprintJudge::add(SampleIndex sample, std::uint32_t triangle, const OracleAnswer& truth, float lit) {
+void FootprintErrorSum::add(SampleIndex sample, std::uint32_t triangle, const OracleAnswer& truth, float lit) {
     if (isExact()) {
         const double less = static_cast<double>(lit) - (truth.lit ? 1.0 : 0.0);
         sum_.add(pixelOf(sample), less, less);
@@ -63,7 +63,7 @@ void FootprintJudge::add(SampleIndex sample, std::uint32_t triangle, const Oracl
     }
 }
 
-void FootprintJudge::finishRender() {
+void FootprintErrorSum::finishRender() {
     if (chosen_.empty()) return;
     const std::uint32_t half = std::max(1u, options_.rays / 2);
     const std::vector<VisibilityMean> first = oracle_.footprintMeans(*plan_, chosen_, half, firstSeed);
@@ -77,7 +77,7 @@ void FootprintJudge::finishRender() {
     lit_.clear();
 }
 
-FootprintJudge::Result FootprintJudge::result() const {
+FootprintError FootprintErrorSum::result() const {
     return {sum_.summary(), isExact() ? 0u : 2 * std::max(1u, options_.rays / 2)};
 }
 
