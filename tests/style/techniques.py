@@ -12,7 +12,7 @@ import tree
 FOLDER = "renderer/techniques"
 CLASS = re.compile(r"^(?:class|struct) (\w+)[^;()]*\{", re.MULTILINE)
 REGISTRY = "renderer/techniques/registry.cpp"
-THE_DEFAULT = ("app/options.h", '"tsm')  # the technique that is drawn where none is named
+THE_DEFAULT = ("app/options/technique_options.h", '"tsm')  # the technique that is drawn where none is named
 
 # Ids that are ordinary words too, where they mean just that.
 ORDINARY = {
