@@ -1,4 +1,4 @@
-// How a receiver finds its position and depth in the light's map.
+// How a receiver finds its position and depth in the shadow map.
 #include "lib/light_projection.glsl"
 #include "lib/receiver.glsl"
 

@@ -1,9 +1,11 @@
-// What every technique's lookup comes down to: the visibility of the light from one receiver. The technique's file
-// includes this one, says one of
-//     float litOf(MovingTriangle t, Receiver r)                        at the receiver's own time (Footprint: Instant)
-//     float litOver(MovingTriangle t, Receiver r, float u0, float u1)  the mean over [u0, u1] of the shutter, the receiver
-//                                                                      followed as a point of its triangle
+// The common frame of every technique's lookup, which computes the visibility of the light from one receiver. The
+// technique's file includes this one, defines one of
+//     float litOf(MovingTriangle t, Receiver r)
+//         at the receiver's own time (Footprint: Instant)
+//     float litOver(MovingTriangle t, Receiver r, float u0, float u1)
+//         the mean over [u0, u1] of the shutter, the receiver followed as a point of its triangle
 // for a receiver that faces the light and lies inside its cone, and includes lib/lookup_main.glsl last.
+//
 // STATIC_CASTERS_ONLY: dynamic casters are left out.
 #include "lib/light_map.glsl"
 #include "lib/settings.glsl"

@@ -1,9 +1,11 @@
-// Draws one stratum of a lookup: calls litOf or litOver of the technique for the sample of each pixel. This is where every
-// shadow test of this program begins.
-// FOOTPRINT_STRATUM, FOOTPRINT_SHUTTER: one value stands for a stratum or for the whole shutter. Camera samples of different
-// strata have places of their own inside the pixel, so each has a value of its own.
-// CACHE_STATIC: says besides where in the light's map each sample is: cell x and y, and what is left beyond them, so that
-// the least of all samples bounds a pixel.
+// Draws one stratum of a lookup: calls litOf or litOver of the technique for the sample of each pixel. This is where
+// every shadow test begins.
+//
+// FOOTPRINT_STRATUM, FOOTPRINT_SHUTTER: a value is the mean over a stratum or over the whole shutter. Camera samples of
+// different strata have different positions inside the pixel, so each has its own value.
+//
+// CACHE_STATIC: also writes the cell of the shadow map that each sample is in: x and y, and the distances to the last
+// cell, so that the minimum over all samples bounds a pixel's cells.
 layout(location = 0) out float outputLit;
 #ifdef CACHE_STATIC
 layout(location = 1) out vec4 outputCells;

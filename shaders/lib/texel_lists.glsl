@@ -1,4 +1,4 @@
-// Lists of time intervals, one list per texel of the light's map: what lookups and views of every such technique share.
+// Lists of time intervals, one list per texel of the shadow map: what lookups and views of every such technique share.
 #include "lib/light_map.glsl"
 
 int listNumber(ivec2 texel) { return texel.y * int(frame.mapSize) + texel.x; }

@@ -5,7 +5,7 @@
 
 SHARED_BEGIN
 
-/// Bound on the error of a position in the light's map, in map widths: receivers and casters are transformed by the
+/// Bound on the error of a position in the shadow map, in map widths: receivers and casters are transformed by the
 /// same matrices, each with an error of a few units of 2^-24 of the scene's extent over the distance.
 #define MAP_POSITION_SLACK SHARED_FLOAT(1e-5)
 

@@ -55,7 +55,7 @@ struct FrameBlock {
     uint strata;         // camera samples per pixel
     uint seed;
     uvec2 imageSize;
-    uint mapSize;  // texels along a side of the light's map
+    uint mapSize;  // texels along a side of the shadow map
     float weight;  // share of this render in the picture: 1 / renders
 };
 

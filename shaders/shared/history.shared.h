@@ -13,8 +13,8 @@ SHARED_BEGIN
 #define HISTORY_MAX_AGE 65535.0
 
 // A converged pixel is tested again every second, fourth, ... frame, tile by tile in turn. Packed in one number: the
-// first and the last cell that its samples fall in, of RETEST_SIDE x RETEST_SIDE over the light's map plane, 7 bits per
-// coordinate; above them the re-test period's power of two.
+// first and the last cell that its samples fall in, of RETEST_SIDE x RETEST_SIDE over the light's image plane, 7 bits
+// per coordinate; above them the re-test period's power of two.
 #define RETEST_SIDE 128
 #define RETEST_CELL_BITS 7
 #define RETEST_PERIOD_SHIFT 28
@@ -32,7 +32,7 @@ SHARED_BEGIN
 
 /// What the shaders of the technique `history` need beside the frame's own blocks.
 struct HistoryBlock {
-    mat4 mapFromPlane;      // 3 x 3: (s, t, 1) of the light's map plane to this frame's map, homogeneous
+    mat4 mapFromPlane;      // 3 x 3: (s, t, 1) of the light's image plane to this frame's map, homogeneous
     mat4 planeFromMap;      // its inverse
     mat4 previousRaysOpen;  // columns 0..2: the world's ray of (s, t, 1) of the camera one frame ago, at u = 0
     mat4 previousRaysClose;

@@ -60,7 +60,7 @@ void expectSorted(CellLists& lists, const InsertProgram& program, std::size_t ce
     gl::GrowingBuffer entries("entries", GL_R32UI);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, input.name());
     lists.beginCount(cells);
-    entries.reserve(1, "nothing");
+    entries.reserve(1, "no advice");
     entries.bindForWriting(5);
     insert(program, cellOf.size(), false);
     ASSERT_EQ(lists.scan(), cellOf.size());

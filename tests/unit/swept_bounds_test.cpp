@@ -247,7 +247,8 @@ TEST_F(TurningBounds, HoldEverythingThatIsSeen) {
     }
     EXPECT_GT(count, 100000u);
     EXPECT_GT(crossing, 5000u);
-    // Where nothing is behind the eye: well below the slack of 1/64 pixel that the vertex shader adds, at 2048 pixels.
+    // Where the triangle is in front of the eye: well below the slack of 1/64 pixel that the vertex shader adds, at
+    // 2048 pixels.
     EXPECT_LT(worstInFront, 1.0 / 64.0 / 2048.0);
 }
 

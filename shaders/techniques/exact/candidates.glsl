@@ -8,9 +8,9 @@
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
 layout(binding = LARGE_TRIANGLES_UNIT) uniform usamplerBuffer casters;  // triangles that may cast a shadow
-uniform uint gridSide;                             // cells along a side
-uniform uint buckets;                              // of the shutter
-uniform uint items;                                // casters times buckets
+uniform uint gridSide;                                                  // cells along a side
+uniform uint buckets;                                                   // of the shutter
+uniform uint items;                                                     // casters times buckets
 
 #ifdef FILL
 layout(std430, binding = TECHNIQUE_STORAGE_BINDING) writeonly buffer Candidates { uint candidates[]; };

@@ -1,4 +1,4 @@
-// A rectangle of the light's map plane around all that a moving triangle covers, from the opening of the last frame's
+// A rectangle of the light's image plane around all that a moving triangle covers, from the opening of the last frame's
 // shutter to the closing of this one's, at its least distance from the light. One texel wider than the bounds.
 #include "techniques/history/blocks.glsl"
 

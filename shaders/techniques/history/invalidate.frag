@@ -40,7 +40,8 @@ bool dynamicCasterSeen(ivec2 pixel) {
 #endif
 }
 
-// Is any of the pixel's cells of the light's map overlapped by a dynamic caster, in front of its surface or behind?
+// Is any of the pixel's cells of the light's image plane overlapped by a dynamic caster, in front of its surface or
+// behind?
 bool dynamicCasterNear(uint retest) {
     if (isNowhere(retest)) return false;
     ivec2 low = firstCell(retest), high = lastCell(retest);

@@ -35,7 +35,7 @@ struct PixelTests {
     uint testedStrata;  // one bit each
     float count;        // of tested samples
     float litSum, weightSum, weightedLit;
-    vec2 low, high;      // of their positions in the light's map plane
+    vec2 low, high;      // of their positions in the light's image plane
     bool sure, proven;   // every sample
     bool receiverMoves;  // in any sample
     bool overlapped;     // by a dynamic caster, in any sample
@@ -243,7 +243,7 @@ void scaleSamples(uvec2 pixel, uint testedStrata, float lit, float shown) {
 
 #ifdef TRIES_TRIANGLES
 // The re-test period of a pixel after `frames` tests with a static camera, of which the last `sure` were sure of every
-// sample; and the cells of the light's map in which dynamic casters invalidate it.
+// sample; and the cells of the light's image plane in which dynamic casters invalidate it.
 uint retestPeriodOf(PixelTests tests, float frames, uint sure, bool isProven) {
     uint period = history.keepsProof == 0u && frames >= RETEST_DOUBT_AFTER ? RETEST_PERIOD_DOUBT : 0u;
     if (sure >= RETEST_SURE_AFTER) period = RETEST_PERIOD_SURE;

@@ -16,11 +16,11 @@ struct ShadowTest {
     bool sure;         // proven, or nothing around that might shadow the point
     bool guessedDark;  // lit, if later frames can still find a triangle that shadows it; else better taken to be
                        // shadowed
-    vec2 place;        // in the light's map plane
+    vec2 place;        // in the light's image plane
     float depth;       // distance from the light's plane
 };
 
-// The receiver's position in this frame's map, which is turned and shifted (or warped) against the light's map plane.
+// The receiver's position in this frame's map, which is turned and shifted (or warped) against the light's image plane.
 struct WarpedPoint {
     vec2 texel;  // position in texels
     MapPoint m;  // with slope and texel as the warped map has them
