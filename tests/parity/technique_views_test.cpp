@@ -83,11 +83,8 @@ TEST(TechniqueViews, StatisticsReachTheReport) {
     const FramePlan plan = smallPlan();
     renderer.draw(plan, technique, View::Final, "columns");
     EXPECT_EQ(countedInWords(technique),
-              "counted         samples: 2 a pixel
-counted         lists with unpaired fragments: 12,345
-"
-              "warning         the picture may be wrong there
-");
+              "counted         samples: 2 a pixel\ncounted         lists with unpaired fragments: 12,345\n"
+              "warning         the picture may be wrong there\n");
 }
 
 TEST(TechniqueViews, TheScaleHasItsNumbers) {
