@@ -110,8 +110,7 @@ TechniqueEntry @NAME@Technique() { return entryOf<@CLASS@>(); }
 }  // namespace timeshade
 '''
 
-SHADER = '''// Is the receiver lit, by an ordinary shadow map of one instant? The receiver's own point of its surface is taken to
-// that instant as well.
+SHADER = '''// One test in an ordinary shadow map of one instant. The receiver is followed to that instant.
 #include "lib/lookup.glsl"
 
 uniform sampler2DArray shadowMap;

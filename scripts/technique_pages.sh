@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws the pictures of the technique pages again: a detail of what a technique gets wrong beside the same without it. Takes a
-# minute or two on a software renderer.
+# Draws the pictures of the technique pages: a detail of what a technique gets wrong beside the same without the error.
+# Takes a minute or two on a software renderer.
 set -euo pipefail
 
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
@@ -23,7 +23,8 @@ page() {
     "$run" shot "${both[@]}" --size 640x360 --spp 8 "${left[@]}" -o "$work/left.png"
     "$run" shot "${both[@]}" --size 640x360 --spp 8 "${right[@]}" -o "$work/right.png"
     for side in left right; do convert "$work/$side.png" -crop "224x176+$x+$y" +repage "$work/$side.png"; done
-    convert "$work/left.png" "$work/right.png" +append -dither None -colors 96 -depth 8 -strip -define png:compression-level=9 "$here/../renderer/techniques/$name/page.png"
+    convert "$work/left.png" "$work/right.png" +append -dither None -colors 96 -depth 8 -strip \
+        -define png:compression-level=9 "$here/../renderer/techniques/$name/page.png"
 }
 
 page static 400 130 octopus --camera reef --frame 96 --map 512 -- --technique static -- --technique exact
@@ -32,4 +33,5 @@ page temporal 250 170 pillars --camera between --frame 12 --map 256 -- --techniq
 page ranges 250 170 pillars --camera between --frame 12 --map 256 -- --technique ranges -- --technique exact
 page history 60 150 chess --camera knight --frame 20 --map 256 -- --technique history -- --technique exact
 page exact 340 110 cubes --set cubes.count=2000 --technique exact -- --view final -- --view candidates
-page accumulation 390 184 octopus --camera above --frame 90 --map 512 -- --technique accumulation --set accumulation.renders=6 -- --technique exact
+page accumulation 390 184 octopus --camera above --frame 90 --map 512 \
+    -- --technique accumulation --set accumulation.renders=6 -- --technique exact

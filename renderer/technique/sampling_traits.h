@@ -24,8 +24,8 @@ struct SamplingTraits {
     bool firstAndLast = false;
     /// The depth of a caster seen at another time is moved along its velocity to the receiver's.
     bool movesDepth = false;
-    /// What is known of a caster at the texel's middle is carried on to the receiver's own place. More accurate, but
-    /// how a surface is cut into triangles then shows: each carries on its own.
+    /// Times and depths at the texel's centre are extended to the receiver's own position. More accurate, but the
+    /// result then depends on how a surface is divided into triangles, as each is extended on its own.
     bool extendsToReceiver = false;
     double biasTexels = 0.0;   ///< how much nearer to the light a caster must be, in texels at the receiver's depth
     double statedError = 0.0;  ///< of the lit share, beyond all that: what the technique's own bound allows

@@ -21,10 +21,10 @@ EXPECTED = pathlib.Path(__file__).resolve().parent / "expected"
 OUT = pathlib.Path(os.environ.get("GOLDEN_OUT", "build/golden"))
 COMMON = ("--size", "160x120", "--spp", "4", "--map", "256", "--seed", "1")
 
-# Software renderers compile for the processor at hand: another order of the same sums, or a fused multiplication, moves a value by a
-# level or two, and a sample at an edge to the other side of it. One of four samples is up to 64 levels in one pixel.
+# Software renderers compile for the processor at hand: another order of sums, or a fused multiplication, changes a value
+# by a level or two, and moves a sample across an edge. One of four samples is up to 64 levels in one pixel.
 ROUNDING = {"levels": 6, "share": 0.004}
-# Every sample asks a map whose texels were drawn with such values: more edges, more samples at them.
+# Every sample is tested in a map whose texels were drawn with such values: more edges, more samples at them.
 EDGES_OF_MAPS = {"levels": 6, "share": 0.012}
 # Sixteen frames one after the other: what differed in one stays in the next.
 HISTORY = {"levels": 8, "share": 0.02}
@@ -44,14 +44,16 @@ CASES |= {
     "chess-exact": (("chess", "--technique", "exact", "--camera", "knight"), ROUNDING),
     "chess-visibility": (("chess", "--technique", "exact", "--view", "visibility"), ROUNDING),
     "cubes-exact": (("cubes", "--technique", "exact", "--set", "cubes.count=100"), ROUNDING),
-    "cubes-candidates": (("cubes", "--technique", "exact", "--set", "cubes.count=100", "--view", "candidates"), EDGES_OF_MAPS),
+    "cubes-candidates": (("cubes", "--technique", "exact", "--set", "cubes.count=100", "--view", "candidates"),
+                         EDGES_OF_MAPS),
     "octopus-instant": (("octopus", "--technique", "exact", "--instant", "0.25"), ROUNDING),
     "pillars-wipe": (("pillars", "--compare", "tsm,exact", "--seam", "0.4"), EDGES_OF_MAPS),
 }
 
 
 def draw(arguments, path):
-    done = subprocess.run([PROGRAM, "shot", *arguments, *COMMON, "-o", str(path)], env=environment(), stdin=subprocess.DEVNULL,
+    done = subprocess.run([PROGRAM, "shot", *arguments, *COMMON, "-o", str(path)], env=environment(),
+                          stdin=subprocess.DEVNULL,
                           capture_output=True, text=True, timeout=120)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
@@ -62,7 +64,8 @@ def write_png(path, width, height, rgb):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
     rows = b"".join(b"\0" + rgb[3 * width * y:3 * width * (y + 1)] for y in range(height))
     header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) +
+                     chunk(b"IEND", b""))
 
 
 class Golden(unittest.TestCase):
@@ -86,8 +89,10 @@ def compare(name, arguments, levels, share):
             return
         shutil.copy(EXPECTED / f"{name}.png", kept[1])
         if same_size:
-            write_png(kept[2], actual.width, actual.height, bytes(min(255, 4 * abs(a - b)) for a, b in zip(actual.rgb, expected.rgb)))
-        self.fail(f"{name}: {100 * off:.2f} % of the pixels differ by more than {levels} levels, expected at most {100 * share:.2f} %; "
+            write_png(kept[2], actual.width, actual.height,
+                      bytes(min(255, 4 * abs(a - b)) for a, b in zip(actual.rgb, expected.rgb)))
+        self.fail(f"{name}: {100 * off:.2f} % of the pixels differ by more than {levels} levels, "
+                  f"expected at most {100 * share:.2f} %; "
                   f"see {kept[0]}, and if it is right: ./test --update-golden {name}")
     return test
 

@@ -18,12 +18,47 @@ THE_DEFAULT = ("app/options/technique_options.h", '"tsm')  # the technique that 
 ORDINARY = {
     "app/cases.cpp": ("exact",),  # the exact value of a case
     "renderer/measure/case_picture.cpp": ("exact",),
-    "tests/cli/reports_test.py": ("exact",),
+    "renderer/passes/light_maps.cpp": ("static",),  # static casters
+    "tests/parity/technique_views_test.cpp": ("static",),
 }
 
-# Tests about techniques that their names do not name.
+# Tests about techniques that their names do not name. A new technique needs no entry here: tests of all techniques get
+# them from the registry or from `list --json`.
 ABOUT = {
+    # properties of these techniques
+    "tests/golden/golden_test.py": ("accumulation", "exact", "history", "ranges", "static", "temporal", "tsm"),
     "tests/parity/range_lists_test.cpp": ("ranges",),
+    "tests/parity/sample_pass_test.cpp": ("static",),
+    "tests/parity/shader_variants_test.cpp": ("exact", "tsm"),
+    "tests/parity/technique_views_test.cpp": ("ranges",),
+    "tests/technique/acne_test.cpp": ("ranges", "temporal", "tsm"),
+    "tests/technique/closed_form_test.cpp": ("accumulation", "history", "tsm"),
+    "tests/technique/history_converged_test.cpp": ("static",),
+    "tests/technique/history_moving_test.cpp": ("static",),
+    "tests/technique/metamorphic_test.cpp": ("accumulation", "history"),
+    "tests/technique/reference_technique_test.cpp": ("tsm",),
+    "tests/technique/two_errors_test.cpp": ("accumulation", "tsm"),
+    "tests/verify/mutations_test.py": ("accumulation", "tsm"),  # breaks their shaders
+    # settings and names of these techniques as examples: on the command line, in reports, in the window
+    "tests/cli/outputs_test.py": ("accumulation",),
+    "tests/cli/pictures_test.py": ("accumulation", "history", "static", "tsm"),
+    "tests/cli/program.py": ("accumulation", "history"),
+    "tests/cli/record_test.py": ("accumulation", "exact", "history", "ranges", "static", "temporal", "tsm"),  # the tour
+    "tests/cli/refusals_test.py": ("accumulation", "exact", "static", "tsm"),
+    "tests/cli/reports_test.py": ("accumulation", "exact", "history", "static", "tsm"),
+    "tests/soak/soak.cpp": ("accumulation", "static"),
+    "tests/unit/chart_test.cpp": ("exact", "tsm"),
+    "tests/unit/include_arrows_test.cpp": ("accumulation", "static", "tsm"),
+    "tests/unit/options_text_test.cpp": ("ranges", "tsm"),
+    "tests/unit/settings_test.cpp": ("accumulation", "tsm"),
+    "tests/unit/sweep_report_test.cpp": ("static", "tsm"),
+    "tests/verify/commands_test.py": ("static", "tsm"),
+    "tests/verify/dump_test.py": ("tsm",),
+    "tests/verify/readme_test.py": ("accumulation",),
+    "tests/window/desk.py": ("accumulation",),
+    "tests/window/settings_test.py": ("accumulation", "exact", "static", "tsm"),
+    "tests/window/techniques_test.py": ("exact", "static", "tsm"),
+    "tests/window/window_test.py": ("accumulation", "history", "static", "tsm"),
 }
 
 

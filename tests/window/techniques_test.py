@@ -166,7 +166,8 @@ class Magnifier(WindowTest):
                            "all answers", 90)
         rows = {name.split(".", 1)[1]: widget["value"] for name, widget in dump["widgets"].items()
                 if name.startswith("probe.")}
-        self.assertLessEqual({"truth", "tsm", "exact", "ranges", "temporal", "static"}, set(rows))
+        self.assertLessEqual({"truth", "tsm", "exact", "static"}, set(rows))
+        self.assertGreaterEqual(len(rows), 6)
         self.assertEqual({len(row) for row in rows.values()}, {8})
         self.assertEqual(rows["exact"], rows["truth"], "exact is the ray tracer's equal")
         self.assertTrue(any(value >= 0 for value in rows["truth"]), rows)

@@ -43,9 +43,8 @@ void ExactShadow::visitSettings(SettingsVisitor& visitor) {
                   "Changes time and "
                   "memory, never the picture.");
     visitor.toggle("list_all", listAll_, false,
-                   "Lists also what can't make a difference: triangles of closed surfaces that face away from the "
-                   "light, and those that nothing lies "
-                   "behind. Changes time and memory, never the picture.");
+                   "Also lists casters that change nothing: triangles of closed surfaces that face away from the "
+                   "light, and those that no receiver is behind. Changes time and memory, never the picture.");
 }
 
 ExactShadow::FrameCasters ExactShadow::castersOf(const FramePlan& plan) const {
@@ -96,13 +95,9 @@ std::vector<PassDecision> ExactShadow::passes(const FramePlan& plan) const {
     std::string lookup =
         "each camera sample against the triangles of its own cell and bucket, at its own time and place";
     if (const std::size_t away = dynamicCasters.facingAway + staticCasters.facingAway; away > 0)
-        lookup += fmt::format(
-            "; {} that face away from the light are in no list: their surfaces are closed, so that the way to the "
-            "light leaves "
-            "whatever it enters",
-            away);
+        lookup += fmt::format("; {} are culled: back faces of closed surfaces, seen from the light", away);
     if (const std::size_t behind = dynamicCasters.noReceiverBehind + staticCasters.noReceiverBehind; behind > 0)
-        lookup += fmt::format("; nor are {} that nothing lies behind", behind);
+        lookup += fmt::format("; {} are culled: no receiver behind", behind);
     passes.push_back({"lookup", lookup, 0});
     return passes;
 }

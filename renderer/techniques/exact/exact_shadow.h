@@ -8,17 +8,16 @@
 
 namespace timeshade {
 
-/// Shadows right at every sample. Each cell of a grid over the light's map lists the triangles that might shadow
-/// something there, by bucket of the shutter; each camera sample tests those of its cell and bucket by the definition
-/// itself (design section 1): the segment from its own receiver to the light's position at its own time, against the
-/// triangles' positions at that time. No time mismatch, no spatial aliasing, no bias: grid and buckets change the time
-/// taken and nothing else. Error: samples whose segment passes an edge within the rounding of floats (about 4e-7 of the
-/// distances), and casters within 1e-5 of the segment's length, which the definition leaves out. In the line of
-/// irregular shadow mapping (Johnson et al. 2005) and hybrid ray-traced shadows (Story 2015), extended in time.
+/// Exact shadows at every sample. Each cell of a grid over the shadow map lists the triangles that may shadow something
+/// in it, per interval of the shutter; each camera sample tests those of its cell and interval by the definition itself
+/// (docs/numerics.md, "Definition of shadow"): the segment from its receiver to the light at its own time, against the
+/// triangles at that time. No time mismatch, no spatial aliasing, no bias; the grid and the intervals change time and
+/// memory only. Error: samples whose segment passes an edge within the rounding of floats (about 4e-7 of the
+/// distances). An extension in time of irregular shadow mapping (Johnson et al. 2005) and hybrid ray-traced shadows
+/// (Story 2015).
 ///
-/// Listed is what may make a difference: of closed surfaces only the triangles that may face the light, as whatever a
-/// closed surface hides from the light is hidden by one of those (ClosedSurfaces), and nothing of the scene's backdrop,
-/// behind which nothing lies (BoundingPlanes).
+/// Casters that provably change nothing are in no list (CasterCulling): back faces of closed surfaces, seen from the
+/// light, and triangles in bounding planes that no receiver is behind.
 class ExactShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -37,9 +36,8 @@ class ExactShadow final : public Technique {
   private:
     struct CasterList {
         std::vector<std::uint32_t> listed;
-        std::size_t facingAway =
-            0;  ///< left out: they face away from the light, and their surfaces are crossed in pairs
-        std::size_t noReceiverBehind = 0;  ///< left out: they belong to the backdrop
+        std::size_t facingAway = 0;        ///< culled: back faces of closed surfaces
+        std::size_t noReceiverBehind = 0;  ///< culled: in a bounding plane
         std::size_t count() const { return listed.size() + facingAway + noReceiverBehind; }
     };
     struct FrameCasters {

@@ -9,32 +9,32 @@
 
 namespace timeshade {
 
-/// Pixels whose history has learned enough rest while the camera stands: once four tests in a row were sure of every
-/// sample they are asked in every thirty-second frame, by an edge where answers are averaged in every sixteenth, and
-/// never where all is proven; tile by tile in turn, so that frames cost alike. What moves wakes them. In between they
-/// show what they showed before.
+/// Tests converged pixels less often while the camera is static. Once four tests in a row were certain for all samples,
+/// a pixel is tested in every 32nd frame; near an edge, where values are averaged, in every 16th; never if all samples
+/// are proven. Pixels are due tile by tile in turn, so that frames cost alike. Motion invalidates them. In between they
+/// show their last values.
 ///
-/// Memory: 4 bytes a pixel for when and where each is woken, 4 for marks, and 4 a camera sample for what is shown.
+/// Memory: 4 bytes per pixel for the re-test period and map cells, 4 for marks, and 4 per camera sample for the values.
 class ConvergedPixels {
   public:
     explicit ConvergedPixels(gl::ProgramCache& programs);
 
-    /// Makes the textures for frames like this one. Those of another size are dropped, with what they know.
+    /// Creates the textures for frames of this size. Textures of another size and their content are dropped.
     void allocate(const TechniqueFrame& frame);
-    /// Nothing rests in the next frame.
+    /// The next frame tests every pixel.
     void forget() { known_ = false; }
-    /// Does every pixel have an answer that may be shown again?
+    /// Whether every pixel has values that may be shown again.
     bool known() const { return known_; }
 
     struct DynamicCasters {
         const gl::Texture &mask, &flags;  ///< DynamicMask's
     };
-    /// Marks the pixels that are not to rest, in a depth texture: a lookup with the depth test EQUAL draws them alone.
-    /// `written`: the history as the frame before left it. The technique's uniforms must be bound.
+    /// Marks the pixels to test in a depth texture: a lookup with the depth test EQUAL draws only those. `written`: the
+    /// history of the previous frame. The technique's uniforms must be bound.
     void invalidate(const TechniqueFrame& frame, const gl::Texture& written,
                     const std::optional<DynamicCasters>& dynamicCasters);
     const gl::Texture& marks() const { return *marks_; }
-    /// Hands the answers, those of resting pixels with the others, to the frame. From then on they are known.
+    /// Copies all values, those of converged pixels included, to the frame. known() is true afterwards.
     void show(const TechniqueFrame& frame);
 
     const gl::Texture& periods() const { return *periods_; }  ///< R32UI: the lookup's second output

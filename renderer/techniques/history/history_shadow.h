@@ -14,36 +14,34 @@
 namespace timeshade {
 
 /// Pixel-correct shadow maps with temporal reprojection and shadow test confidence (Scherzer, Jeschke, Wimmer 2007).
-/// Each frame's map has a rasterisation of its own; a pixel keeps what the tests of earlier frames have said of its
-/// surface, each weighted by how near to a texel's centre it fell (equations 5 and 6), and finds it again when the
-/// camera moves (equation 4).
+/// Each frame rasterises its map differently. A pixel accumulates the tests of earlier frames, each weighted by how
+/// near to a texel's centre it was (equations 5 and 6), and is reprojected if the camera moves (equation 4).
 ///
-/// As published the past is smoothed exponentially (equation 3), in which no more than 7 tests ever count. Repaired,
-/// the sums of weights and of weighted tests are kept, so that a still picture goes on converging; texels of the
-/// history are rejected one by one by their distance from the receiver's plane; and what is shown of a pixel with one
-/// sample is drawn away from one half, since hard shadows know no other values than 0 and 1.
+/// As published, the past is smoothed exponentially (equation 3), which never averages more than 7 tests. The repaired
+/// form stores the sums of weights and of weighted tests, so that a static picture converges; it rejects texels of the
+/// history one by one, by their distance from the receiver's plane; and with one sample per pixel it moves values away
+/// from one half, since hard shadows are 0 or 1.
 ///
-/// Beyond the paper the map remembers which triangle each texel saw. Averaging tests made at texels' centres, whatever
-/// the weights, moves an edge by the centres' spacing, which falls with the root of the number of frames; but near an
-/// edge one of the four texels around a receiver nearly always saw the very triangle that hides it. So these are tried
-/// against the receiver's own ray to the light. A hit is proof, needs no bias, and is kept for as long as nothing
-/// moves. No hit where the four disagree means lit, as whatever is dark finds its proof in time; where there is no
-/// time, since something moves or the camera does, only if the nearest texel's triangle is wider than a texel: of
-/// smaller ones the next may hide the receiver, unseen, and the texel's answer stands. What remains are casters that no
-/// texel around has seen yet, and every new raster sees others: 20 frames leave fewer than one pixel in a thousand.
+/// Beyond the paper the map also stores which triangle each texel saw. Averages of tests at texel centres, with any
+/// weights, locate an edge to the spacing of the centres, which falls with the square root of the number of frames. But
+/// near an edge, one of the four texels around a receiver nearly always saw the triangle that hides it, so these
+/// triangles are tested against the receiver's own ray to the light. A hit is proof, needs no bias, and is valid while
+/// nothing moves. Without a hit, where the four texels disagree, the receiver is lit, since in time a shadowed one will
+/// be proven. If there is no such time, because something or the camera moves, this is done only if the nearest texel's
+/// triangle is wider than a texel; smaller casters may be unseen, and the texel's test is used. Remaining errors are
+/// casters that no texel around has seen yet: after 20 static frames fewer than one pixel in a thousand.
 ///
-/// Also beyond the paper a receiver is followed where it moves, and a pixel behind something that has moved
-/// (DynamicMask) loses its past, as all do when the light has moved. While a moment is held the map's instant runs
-/// through the shutter, so that blurred shadows converge to their mean; then all answers weigh alike.
+/// Also beyond the paper, moving receivers are followed, and the past is dropped for pixels behind something that has
+/// moved (DynamicMask) and, if the light has moved, for all. While a moment is held, the map's instant runs through the
+/// shutter, so that blurred shadows converge to their mean; then all tests have the same weight.
 ///
-/// And nothing is asked in vain: while the camera stands, pixels that have learned enough rest (ConvergedPixels) until
-/// something moves by them. With one sample a pixel and a closed shutter only those rest that are sure or proven, and
-/// an edge is asked about in every frame; else, where the answers are averaged, edges rest as well after twelve tests.
-/// Once nothing at all moves the map is drawn for four frames' pixels at a time, and not at all after 64.
+/// With a static camera converged pixels are tested less often (ConvergedPixels). With one sample per pixel and a
+/// closed shutter these are only certain or proven pixels; otherwise, pixels near edges as well after twelve tests.
+/// Once nothing moves, the map is drawn for the due pixels of four frames at a time, and not at all after 64 frames.
 ///
-/// Memory: two buffers of 16 bytes a pixel, 8 bytes a texel of the map (4 without its triangles); 4 bytes a texel of
-/// the mask, 5 a triangle and a copy of the triangles once something has moved; 8 bytes a pixel and 4 a camera sample
-/// while the camera stands.
+/// Memory: two buffers of 16 bytes per pixel and 8 bytes per texel of the map (4 without its triangles); once something
+/// has moved, 4 bytes per texel of the mask, 5 per triangle and a copy of the triangles; with a static camera, 8 bytes
+/// per pixel and 4 per camera sample.
 class HistoryShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -51,7 +49,7 @@ class HistoryShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
-    /// Of a frame without a past: an ordinary map of the middle of the shutter.
+    /// Of a frame without a past: an ordinary map at the centre of the shutter.
     Footprint footprint() const override;
     SamplingTraits samplingTraits() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
@@ -69,7 +67,7 @@ class HistoryShadow final : public Technique {
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;
 
-    /// What the last lookup wrote, RGBA32F: for tests.
+    /// The output of the last lookup, RGBA32F; for tests.
     const gl::Texture& written() const { return *buffers_[current_]; }
 
   private:
@@ -85,7 +83,7 @@ class HistoryShadow final : public Technique {
     gl::ShaderDefines mapTestDefines(const TechniqueFrame& frame) const;
     bool mayConverge(const FramePlan& plan) const;
     bool keepsProof(const FramePlan& plan) const;
-    /// Frames whose due pixels are asked in this one; 0: none is, and nothing is drawn.
+    /// The number of frames whose due pixels are tested in this one; 0: none, and nothing is drawn.
     int framesDue(const FramePlan& plan) const;
 
     gl::ProgramCache& programs_;

@@ -18,20 +18,21 @@ struct FrameTransition {
     std::uint32_t index =
         0;  ///< number of the map's rasterisation: grows with the frame's number and every repetition of it
     int heldFrames = 0;                         ///< how often the moment has been drawn before
-    int staticFrames = 0;                       ///< frames since the camera came to rest
-    bool cameraStopped = false;                 ///< the frame before was the last of a movement of the camera
+    int staticFrames = 0;                       ///< frames since the camera stopped
+    bool cameraStopped = false;                 ///< the previous frame was the last in which the camera moved
     int unmovedFrames = 0;                      ///< frames since anything moved at all, or since there was no past
     std::vector<std::uint32_t> dynamicCasters;  ///< triangles that moved, in ascending order
 };
 
-/// Remembers what the frame before looked like, and finds out what has changed since. A change of size, samples, map,
-/// seed, shutter, scene, camera bookmark or settings, a step back in time or one of more than eight frames begins anew.
+/// Stores the previous frame and determines what has changed since. The history starts again after a change of size,
+/// samples, map, seed, shutter, scene, camera bookmark or settings, a step back in time, or one of more than eight
+/// frames.
 class HistoryState {
   public:
     FrameTransition follow(const FramePlan& plan, const std::vector<double>& settings);
     void forget() { past_.reset(); }
 
-    /// The frame before; only where the sequel has a past.
+    /// The previous frame; only if the transition has a past.
     struct Past {
         FrameRequest request;
         std::shared_ptr<const MeshTopology> topology;
@@ -42,7 +43,7 @@ class HistoryState {
         int heldFrames = 0, staticFrames = 0, unmovedFrames = 0;
         bool cameraMoved = false;
     };
-    /// The frame that the last sequel followed; null where it had none.
+    /// The frame before the last one that was followed; null if it had none.
     const Past* before() const { return before_ ? &*before_ : nullptr; }
 
   private:

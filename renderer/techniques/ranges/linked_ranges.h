@@ -9,13 +9,13 @@
 namespace timeshade {
 
 /// The published form (Hong and Oh 2019, section 4): a geometry shader makes prisms, with the special case of edges
-/// that cross on the screen; linked lists of 16-byte fragments; a sub-pass over all texels sorts those of one triangle
-/// by depth and links 24-byte ranges. Times, places and window depths are taken as linear in the map. What the paper
-/// leaves open: a moving light's map travels with it, as every map here does; buffers start small and the collection is
-/// drawn again when they must grow (the paper's have a fixed size); a triangle's odd fragment is dropped. Known to
-/// fail: where a triangle comes twice at one depth (pairs by depth), where distance changes much during a range (window
-/// depths are not linear in time), under a light that comes or goes (neither are places), where crossing edges leave
-/// gaps in the surface, and at the near plane.
+/// that cross in the image; linked lists of 16-byte fragments; a pass over all texels sorts the fragments of a triangle
+/// by depth and links 24-byte ranges. Times, positions and NDC depths are interpolated linearly in the map. Our choices
+/// where the paper is silent: the map travels with a moving light; buffers start small and the collection is drawn
+/// again if they must grow (the paper's have a fixed size); an unpaired fragment of a triangle is dropped. Known
+/// failures: a triangle that covers a texel twice at one depth (pairs by depth); distance that changes much during a
+/// range (NDC depth is not linear in time); a light that approaches or recedes (neither are positions); gaps at
+/// crossing edges; the near plane.
 class LinkedRanges final : public RangeLists {
   public:
     explicit LinkedRanges(gl::ProgramCache& programs);

@@ -7,7 +7,7 @@
 
 namespace timeshade {
 
-/// Time-dependent shadow maps (Akenine-Moller, Munkberg, Hasselgren 2007, as P1, P2 and P4 describe them): one map
+/// Time-dependent shadow maps (Akenine-Moller, Munkberg, Hasselgren 2007): one map
 /// layer per stratum of the shutter, each texel of it drawn at a random time of the stratum; a camera sample is tested
 /// in the layer of its own stratum. The times differ by up to 1/N of the shutter, 1/(3N) in the mean. Without the
 /// dynamic bias a receiver that approaches the light at v per shutter shadows itself on 1/2 (1 - bias N / v)^2 of its
