@@ -155,15 +155,37 @@ inline std::vector<BrokenFile> brokenReferences() {
     return files;
 }
 
+/// Adds a file: its name, a part of the message that is expected, and the change that breaks it.
+using AddBrokenFile = std::function<void(const char*, const char*, const std::function<void(GltfFile&)>&)>;
+
+inline void addBrokenAnimations(const AddBrokenFile& add) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto input = [](GltfFile& f, int sampler) {
+        return f.json["animations"][0]["samplers"][static_cast<std::size_t>(sampler)]["input"].get<std::size_t>();
+    };
+    const auto accessorOf = [](GltfFile& f, const char* pointer) { return at(f, pointer).get<std::size_t>(); };
+    add("key times out of order", "do not increase", [&](GltfFile& f) { poke(f, input(f, 0), 1, 5.0f); });
+    add("equal key times", "do not increase", [&](GltfFile& f) { poke(f, input(f, 0), 1, 0.0f); });
+    add("NaN key time", "not finite", [&](GltfFile& f) { poke(f, input(f, 0), 1, nan); });
+    add("negative key time", "before 0", [&](GltfFile& f) { poke(f, input(f, 0), 0, -1.0f); });
+    add("NaN key value", "not finite",
+        [&](GltfFile& f) { poke(f, accessorOf(f, "/animations/0/samplers/0/output"), 2, nan); });
+    add("too few key values", "numbers for 3 keys", [](GltfFile& f) {
+        at(f, "/animations/0/samplers/0/output") = f.vec3s({0, 0, 0});
+    });
+    add("spline without tangents", "numbers for 2 keys, expected 6", [](GltfFile& f) {
+        at(f, "/animations/0/samplers/2/output") = f.scalars({0, 1});
+    });
+    add("translation from a rotation's keys", "components",
+        [](GltfFile& f) { at(f, "/animations/0/samplers/0/output") = at(f, "/animations/0/samplers/1/output"); });
+}
+
 inline std::vector<BrokenFile> brokenContents() {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     std::vector<BrokenFile> files;
     const auto add = [&](const char* name, const char* expected, const std::function<void(GltfFile&)>& change) {
         files.push_back({name, expected, changed(change)});
-    };
-    const auto input = [](GltfFile& f, int sampler) {
-        return f.json["animations"][0]["samplers"][static_cast<std::size_t>(sampler)]["input"].get<std::size_t>();
     };
     const auto accessorOf = [](GltfFile& f, const char* pointer) { return at(f, pointer).get<std::size_t>(); };
     add("NaN position", "not finite", [&](GltfFile& f) { poke(f, 0, 4, nan); });
@@ -201,21 +223,24 @@ inline std::vector<BrokenFile> brokenContents() {
         plain.erase("targets");
         at(f, "/meshes/0/primitives").push_back(plain);
     });
-    add("key times out of order", "do not increase", [&](GltfFile& f) { poke(f, input(f, 0), 1, 5.0f); });
-    add("equal key times", "do not increase", [&](GltfFile& f) { poke(f, input(f, 0), 1, 0.0f); });
-    add("NaN key time", "not finite", [&](GltfFile& f) { poke(f, input(f, 0), 1, nan); });
-    add("negative key time", "before 0", [&](GltfFile& f) { poke(f, input(f, 0), 0, -1.0f); });
-    add("NaN key value", "not finite",
-        [&](GltfFile& f) { poke(f, accessorOf(f, "/animations/0/samplers/0/output"), 2, nan); });
-    add("too few key values", "numbers for 3 keys", [](GltfFile& f) {
-        at(f, "/animations/0/samplers/0/output") = f.vec3s({0, 0, 0});
-    });
-    add("spline without tangents", "numbers for 2 keys, expected 6", [](GltfFile& f) {
-        at(f, "/animations/0/samplers/2/output") = f.scalars({0, 1});
-    });
-    add("translation from a rotation's keys", "components",
-        [](GltfFile& f) { at(f, "/animations/0/samplers/0/output") = at(f, "/animations/0/samplers/1/output"); });
+    addBrokenAnimations(add);
     return files;
+}
+
+inline void addTooLargeFiles(const AddBrokenFile& add) {
+    add("a million instances of a large mesh", "which is the limit", [](GltfFile& f) {
+        f = GltfFile{};
+        std::vector<float> many(3 * 30'000);
+        f.addMesh({{"POSITION", f.vec3s(many)}});
+        for (int i = 0; i < 3000; ++i) f.addRoot({{"mesh", 0}});
+    });
+    add("ten thousand morph targets that are one", "vertices of morph targets", [](GltfFile& f) {
+        f = GltfFile{};
+        std::vector<float> many(3 * 30'000);
+        f.addMesh({{"POSITION", f.vec3s(many)}});
+        for (int i = 0; i < 10'000; ++i) at(f, "/meshes/0/primitives/0/targets").push_back({{"POSITION", 0}});
+        f.addRoot({{"mesh", 0}});
+    });
 }
 
 inline std::vector<BrokenFile> brokenShapes() {
@@ -264,19 +289,7 @@ inline std::vector<BrokenFile> brokenShapes() {
         at(f, "/meshes/0/primitives/0/mode") = 1;
         f.addRoot({{"mesh", 0}});
     });
-    add("a million instances of a large mesh", "which is the limit", [](GltfFile& f) {
-        f = GltfFile{};
-        std::vector<float> many(3 * 30'000);
-        f.addMesh({{"POSITION", f.vec3s(many)}});
-        for (int i = 0; i < 3000; ++i) f.addRoot({{"mesh", 0}});
-    });
-    add("ten thousand morph targets that are one", "vertices of morph targets", [](GltfFile& f) {
-        f = GltfFile{};
-        std::vector<float> many(3 * 30'000);
-        f.addMesh({{"POSITION", f.vec3s(many)}});
-        for (int i = 0; i < 10'000; ++i) at(f, "/meshes/0/primitives/0/targets").push_back({{"POSITION", 0}});
-        f.addRoot({{"mesh", 0}});
-    });
+    addTooLargeFiles(add);
     return files;
 }
 
