@@ -4,7 +4,7 @@
 
 namespace timeshade {
 
-/// `timeshade measure --history-frames`: how a still picture converges with the number of frames. Returns the exit
+/// `timeshade measure --convergence`: how a still picture converges with the number of frames. Returns the exit
 /// code.
 int runConvergence(const MeasureOptions& options);
 

@@ -46,7 +46,9 @@ int runEffects(const MeasureOptions& options) {
     const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
     const DriverWatch watch(options.debugGl);
     EffectOptions effects;
-    if (!options.measuredTechniques.empty()) effects.technique = options.measuredTechniques.front();
+    effects.technique = options.measuredTechniques.empty() ? options.technique : options.measuredTechniques.front();
+    if (options.measuredTechniques.size() > 1)
+        effects.compared.assign(options.measuredTechniques.begin() + 1, options.measuredTechniques.end());
     effects.frames = options.rounds + 2;
     std::string report;
     nlohmann::ordered_json json;
@@ -65,8 +67,9 @@ int runEffects(const MeasureOptions& options) {
     }
     watch.requireSilence();
     const std::string head = fmt::format(
-        "# What each effect costs\n\n{}. {} x {}, {} samples a pixel, map {}. Medians over {} frames in a row, in "
-        "ms.\n\n",
+        "# What each effect costs\n\n{}. {} x {}, {} samples per pixel, shadow map {}. Medians over {} steady frames "
+        "in "
+        "a row, in ms; programs are compiled before.\n\n",
         deviceLine(gl::currentDevice()), options.width, options.height, options.samplesPerPixel, options.mapSize,
         options.rounds);
     writeFileAtomically(folder / "effects.md", head + report);

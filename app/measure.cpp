@@ -82,7 +82,7 @@ void showProgress(const std::string& what, int done, int total, double secondsLe
 }  // namespace
 
 int runMeasure(const MeasureOptions& options) {
-    if (!options.historyFrames.empty()) return runConvergence(options);
+    if (!options.convergenceFrames.empty()) return runConvergence(options);
     if (options.effects) return runEffects(options);
     const std::filesystem::path folder(options.output);
     std::error_code failure;
@@ -114,6 +114,7 @@ int runMeasure(const MeasureOptions& options) {
     sweep.sampleCounts = options.measuredSampleCounts;
     sweep.mapSizes = options.measuredMaps;
     sweep.rounds = options.rounds;
+    sweep.sequence = options.sequenceFrames;
     sweep.referenceSamples = options.referenceSamples;
     sweep.journal = folder / "rows.jsonl";
     sweep.progress = showProgress;

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 #include "gl_checks.h"
 #include "headless.h"
 #include "make_context.h"
+#include "measure/frame_clock.h"
 #include "measure/view_scale.h"
 #include "progress.h"
 #include "report.h"
@@ -46,9 +49,39 @@ void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& techni
     while (!renderer.step()) progress.update(renderer.rendersDone());
 }
 
-void sayWritten(const std::filesystem::path& path, double milliseconds, const gl::DeviceInfo& device) {
-    fmt::print("{}  {:.1f} ms  {}\n", std::filesystem::absolute(path).lexically_normal().string(), milliseconds,
-               deviceLine(device));
+/// The time of the picture, all renders together. A first frame says that programs were compiled in it.
+void sayWritten(const std::filesystem::path& path, double milliseconds, bool compiled, const gl::DeviceInfo& device) {
+    fmt::print("{}  {:.1f} ms{}  {}\n", std::filesystem::absolute(path).lexically_normal().string(), milliseconds,
+               compiled ? " with compiling shaders" : "", deviceLine(device));
+}
+
+constexpr int steadyFrames = 3;  // that `pictures` times; the last of them is the picture
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+void printTimesHeader() {
+    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "ms", "camera", "shadow", "shadow", "", "steady", "cold");
+    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "scene", "samples", "structure", "test", "shading",
+               "frame", "frame", "picture");
+}
+
+/// Steps of steady frames, their total, and a cold frame's total.
+void printTimes(const std::string& scene, const std::vector<ClockedFrame>& frames, const std::filesystem::path& path) {
+    std::map<std::string, std::vector<double>> steady;
+    double cold = 0.0;
+    for (const ClockedFrame& frame : frames) {
+        if (frame.state == FrameState::Cold) cold = gl::totalOf(frame.readings);
+        if (frame.state != FrameState::Steady) continue;
+        for (const auto& [step, milliseconds] : stepsOf(frame.readings)) steady[step].push_back(milliseconds);
+    }
+    fmt::print("{:<9}", scene);
+    // A technique's view takes the place of shading.
+    for (const char* step : {"sample", "build", "lookup", steady.count("view") > 0 ? "view" : "shade", "total"})
+        fmt::print(" {:>9.1f}", median(steady.at(step)));
+    fmt::print(" {:>9.1f}  {}\n", cold, std::filesystem::absolute(path).lexically_normal().string());
 }
 
 }  // namespace
@@ -72,15 +105,17 @@ int runShot(const ShotOptions& options) {
     for (int i = 0; i < frames; ++i, request.frame += 1.0) {
         if (options.explain && i == 0) fmt::print("{}", explain(planner.plan(request), *technique, renderer.device()));
         const std::filesystem::path path = pathOfFrame(options.output, i, frames);
+        std::uint64_t compiled = renderer.programs().compiled();
         if (!options.compared.empty()) {
             const ComparedShot shot = drawCompared(renderer, planner, request, options, *scene, context->backEnd());
             watch.requireSilence();
             writePng(path, shot.picture);
             if (!options.json.empty() && i + 1 == frames) writeFileAtomically(options.json, shot.manifests);
-            sayWritten(path, shot.milliseconds, renderer.device());
+            sayWritten(path, shot.milliseconds, renderer.programs().compiled() != compiled, renderer.device());
             continue;
         }
         drawWarmUp(renderer, planner, *technique, request, options.view);
+        compiled = renderer.programs().compiled();
         FramePlan plan = planner.plan(request);
         std::optional<DisplayImage> diagnostic;
         if (options.diagnostic == Diagnostic::None)
@@ -94,7 +129,7 @@ int runShot(const ShotOptions& options) {
             writePng(path, *diagnostic);
         else
             write(renderer, path);
-        sayWritten(path, gl::totalOf(times), renderer.device());
+        sayWritten(path, gl::totalOf(times), renderer.programs().compiled() != compiled, renderer.device());
         if (!options.json.empty() && i + 1 == frames) {
             const std::string text = manifest(renderer, *technique, options.scene, *scene, context->backEnd(), times);
             writeFileAtomically(options.json, text);
@@ -115,8 +150,7 @@ int runPictures(const PicturesOptions& options) {
     fmt::print("{} through {}\n{} at {} x {}, {} samples per pixel, map {}\n\n", deviceLine(renderer.device()),
                context->backEnd(), options.technique, options.width, options.height, options.samplesPerPixel,
                options.mapSize);
-    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "scene", "sample", "build", "lookup", "shade", "total ms",
-               "picture");
+    printTimesHeader();
     for (const BuiltInScene& builtIn : showcase()) {
         const std::filesystem::path path = folder / (builtIn.name + ".png");
         requireWritable(path);
@@ -124,19 +158,11 @@ int runPictures(const PicturesOptions& options) {
         const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
         FramePlanner planner(*scene);
         const FrameRequest request = requestFor(options, *scene);
-        drawWarmUp(renderer, planner, *technique, request, options.view);
-        const FramePlan plan = planner.plan(request);
-        // The first draw compiles shaders and fills caches; the second is timed.
-        if (technique->renders() == 1 && warmUpCount(*technique) == 0)
-            renderer.draw(plan, *technique, options.view, options.techniqueView);
-        renderer.timer().finishFrame();
-        drawWithProgress(renderer, plan, *technique, options);
-        const auto times = renderer.timer().finishFrame();
+        FrameClock clock(renderer, planner, options.view, options.techniqueView);
+        clock.warmUp(*technique, request);
+        const std::vector<ClockedFrame> frames = clock.time(*technique, request, steadyFrames);
         writePng(path, pictureOf(renderer));
-        fmt::print("{:<9}", builtIn.name);
-        for (const auto& reading : times)
-            if (!reading.isPart()) fmt::print(" {:>9.1f}", reading.milliseconds);
-        fmt::print(" {:>9.1f}  {}\n", gl::totalOf(times), std::filesystem::absolute(path).lexically_normal().string());
+        printTimes(builtIn.name, frames, path);
     }
     return 0;
 }

@@ -19,7 +19,7 @@ struct ComparedTechnique {
 /// The two that --compare names, or the one of --technique.
 std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::ProgramCache& programs);
 
-/// What a viewer should know of a technique: "tsm:bias=2, 8 spp", or its renders where those are its sample count.
+/// What a viewer should know of a technique: "tsm:bias=2, 8 spp", or its number of renders.
 std::string sampleCountLabel(const std::string& variant, Technique& technique, int samplesPerPixel);
 
 /// Their pictures as the one that the options ask for, labelled. One picture alone stays as it is.

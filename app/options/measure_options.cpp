@@ -47,6 +47,10 @@ CLI::Option* declareSweep(CLI::App& measure, MeasureOptions& options) {
     measure
         .add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")
         ->check(numberFrom(2, 1000));
+    measure
+        .add_option("--sequence", options.sequenceFrames,
+                    "frames of a sequence to time in each round (default: one), with rows for caches that fill")
+        ->check(numberFrom(1, 1000));
     measure.add_option("--reference", options.referenceSamples, "samples per pixel of the reference")
         ->check(numberFrom(1, 65536));
     return measure
@@ -59,14 +63,19 @@ CLI::Option* declareSweep(CLI::App& measure, MeasureOptions& options) {
 /// Measurements other than the sweep.
 void declareOthers(CLI::App& measure, MeasureOptions& options) {
     measure
-        .add_option("--history-frames", options.historyFrames,
-                    "instead: how a static picture of `history` converges, as in 1,5,10,20,40,60 (with --shutter 0 "
-                    "--spp 1: hard shadows)")
+        .add_option("--convergence", options.convergenceFrames,
+                    "instead: how a still picture converges with each of --techniques (default: all that converge), "
+                    "after so many frames, as in 1,5,10,20,40,60 (with --shutter 0 --spp 1: hard shadows)")
         ->delimiter(',')
         ->check(numberFrom(1, 10000));
+    // Its name in earlier versions.
+    measure.add_option("--history-frames", options.convergenceFrames)
+        ->delimiter(',')
+        ->check(numberFrom(1, 10000))
+        ->group("");
     measure.add_flag("--effects", options.effects,
                      "instead: what each thing that moves costs, and what the plan saves, for the first of "
-                     "--techniques (default: ranges)");
+                     "--techniques, with the others beside it (default: --technique alone)");
 }
 
 }  // namespace

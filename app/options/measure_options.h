@@ -23,10 +23,11 @@ struct MeasureOptions : FrameOptions, TechniqueOptions, CompareOptions, RunOptio
     std::vector<std::string> measuredTechniques;            ///< names or TechniqueVariants; empty for all, and Embree
     std::vector<int> measuredSampleCounts{1, 2, 4, 8, 16};  ///< samples per pixel
     std::vector<int> measuredMaps{512};
-    std::vector<int> historyFrames;         ///< not empty for the convergence of a static picture instead
+    std::vector<int> convergenceFrames;     ///< not empty for the convergence of a still picture instead
     std::string variedSetting;              ///< a computed scene's setting, "cubes.count"; empty for none
     std::vector<std::string> variedValues;  ///< the values that it takes, checked
     bool effects = false;                   ///< what each thing that moves costs instead
+    int sequenceFrames = 0;                 ///< timed as steady ones in a round; 0 for one alone
     int rounds = 3;                         ///< how often each point is timed, each with a seed of its own
     int referenceSamples = 256;             ///< samples per pixel of the reference
 };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ std::string milliseconds(double value) {
 /// A figure with a bar behind it that shows its share of the total.
 void drawTime(Widgets& widgets, const std::string& id, const std::string& name, double value, double total) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float left = 70.0f * widgets.scale(), right = 80.0f * widgets.scale();
+    const float left = 130.0f * widgets.scale(), right = 80.0f * widgets.scale();
     const float room = std::max(0.0f, ImGui::GetContentRegionAvail().x - left - right);
     const float length = total > 0.0 ? room * static_cast<float>(std::clamp(value / total, 0.0, 1.0)) : 0.0f;
     const float inset = 4.0f * widgets.scale();
@@ -26,6 +27,17 @@ void drawTime(Widgets& widgets, const std::string& id, const std::string& name, 
         {corner.x + left + length, corner.y + ImGui::GetTextLineHeight() - inset + 1.0f},
         ImGui::GetColorU32(ImVec4(0.30f, 0.45f, 0.60f, 1.0f)), 2.0f * widgets.scale());
     widgets.figure(id, name, milliseconds(value));
+}
+
+/// A step of the frame as a person would call it.
+std::string titleOfStep(const std::string& step) {
+    static const std::map<std::string, std::string> titles{{"sample", "Camera samples"},
+                                                           {"build", "Shadow structure"},
+                                                           {"lookup", "Shadow test"},
+                                                           {"shade", "Shading"},
+                                                           {"view", "View"}};
+    const auto found = titles.find(step);
+    return found == titles.end() ? step : found->second;
 }
 
 /// Each whole with its parts right behind it, whatever the order in which they were first met.
@@ -43,7 +55,7 @@ std::vector<gl::PassTimer::Reading> inOrder(const std::vector<gl::PassTimer::Rea
 void drawTimes(Session& session, Widgets& widgets) {
     const FrameTimes& times = session.driver.times();
     if (times.frames() == 0 || !session.driver.hasPlan()) {
-        widgets.paragraph("no data", theme::quiet);
+        widgets.paragraph("No data yet", theme::quiet);
         widgets.dump().lastItem("times.none", true);
         return;
     }
@@ -51,37 +63,36 @@ void drawTimes(Session& session, Widgets& widgets) {
     for (const auto& reading : inOrder(times.medians())) {
         // "build/collect" stands below "build", as its part.
         const std::string name =
-            reading.isPart() ? "   " + reading.name.substr(reading.name.rfind('/') + 1) : reading.name;
+            reading.isPart() ? "   " + reading.name.substr(reading.name.rfind('/') + 1) : titleOfStep(reading.name);
         drawTime(widgets, "times." + reading.name, name, reading.milliseconds, total);
     }
-    widgets.figure("times.total", "total", milliseconds(total));
+    widgets.figure("times.total", "Total", milliseconds(total));
     const FrameRequest& drawn = session.renderer.plan().request;
-    const char* what = session.renderer.renders() > 1 ? "render" : "frame";
-    const std::string over =
-        times.frames() == 1 ? fmt::format("one {}", what) : fmt::format("median of {} {}s", times.frames(), what);
+    std::string over = times.frames() == 1 ? "one frame" : fmt::format("median of {} frames", times.frames());
+    if (session.renderer.renders() > 1) over += fmt::format(" of {} renders", session.renderer.renders());
     widgets.paragraph(
-        fmt::format("{}, {} × {}{}", over, drawn.width, drawn.height, session.driver.preview() ? " preview" : ""),
+        fmt::format("{}{}, {} × {}", session.driver.preview() ? "Preview, " : "", over, drawn.width, drawn.height),
         theme::quiet);
     if (session.renderer.renders() > 1 || session.driver.preview()) return;
-    // A paused picture is drawn once, and the first time compiles shaders.
+    // A paused picture is drawn once, and the first time compiles programs.
     if (session.driver.measuring())
-        widgets.paragraph("measuring ...", theme::warning);
+        widgets.paragraph("Measuring ...", theme::warning);
     else if (widgets.button("times.measure", "Measure again"))
         session.driver.measure(static_cast<int>(FrameTimes::kept));
 }
 
 void drawMemory(Session& session, Widgets& widgets) {
     if (!session.driver.hasPlan()) {
-        widgets.paragraph("no data", theme::quiet);
+        widgets.paragraph("No data yet", theme::quiet);
         return;
     }
     const GpuMemory memory = session.renderer.memory();
-    widgets.figure("memory.mesh", "mesh", inMebibytes(memory.mesh));
-    widgets.figure("memory.samples", "samples", inMebibytes(memory.samples));
-    widgets.figure("memory.visibility", "visibility", inMebibytes(memory.visibility));
-    widgets.figure("memory.technique", "technique", inMebibytes(memory.technique));
-    widgets.figure("memory.picture", "picture", inMebibytes(memory.picture));
-    widgets.figure("memory.total", "total", inMebibytes(memory.total()));
+    widgets.figure("memory.mesh", "Mesh", inMebibytes(memory.mesh));
+    widgets.figure("memory.samples", "Camera samples", inMebibytes(memory.samples));
+    widgets.figure("memory.visibility", "Visibility", inMebibytes(memory.visibility));
+    widgets.figure("memory.technique", "Technique", inMebibytes(memory.technique));
+    widgets.figure("memory.picture", "Picture", inMebibytes(memory.picture));
+    widgets.figure("memory.total", "Total", inMebibytes(memory.total()));
 }
 
 }  // namespace

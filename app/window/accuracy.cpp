@@ -112,7 +112,7 @@ std::optional<ProbeSubject> Accuracy::advanceMatch(Session& session) {
         setSampleCount(match_->other, *sampleCount);
         const ProbePoint* known = find(match_->other);
         if (known == nullptr) return match_->other;
-        match_->search.answer(match_->level == Level::Time ? known->milliseconds : known->rmse);
+        match_->search.measured(match_->level == Level::Time ? known->milliseconds : known->rmse);
     }
     finishMatch(session);
     return std::nullopt;

@@ -41,7 +41,8 @@ class Accuracy {
     int revision() const { return revision_; }
 
     enum class Level { Time, Error };
-    /// Sets out to find how much effort brings the other technique level with the current point, and chooses it.
+    /// Begins the search for the sample count at which the other technique is level with the current point; then
+    /// chooses both.
     void match(Session& session, const std::string& technique, Level level);
     /// What is being tried: "tsm at 4 spp"; empty when nothing is.
     std::string trying() const;

@@ -67,7 +67,6 @@ void AccuracyProbe::measure(const ProbeSubject& subject) {
     technique_.reset();
     plan_.reset();
     drawing_ = false;
-    draws_ = 0;
     times_.clear();
     failure_.clear();
 }
@@ -102,6 +101,8 @@ FramePlan AccuracyProbe::planFor(int samplesPerPixel, int mapSize) {
 void AccuracyProbe::beginSubject() {
     technique_ = techniqueOf(*subject_, renderer_->programs());
     plan_ = planFor(subject_->samplesPerPixel, subject_->mapSize);
+    // So that every draw that counts finds its programs compiled and its caches filled.
+    drawVariants(*renderer_, *planner_, *technique_, plan_->request, View::Final);
     drawWarmUp(*renderer_, *planner_, *technique_, plan_->request, View::Final);
 }
 
@@ -119,13 +120,12 @@ std::optional<ProbePoint> AccuracyProbe::draw() {
     }
     if (!renderer_->complete()) return std::nullopt;
     drawing_ = false;
-    // The first draw compiles shaders and allocates. Brute force is long enough for that not to matter.
-    const bool brute = renderer_->renders() > 1;
-    if (draws_++ > 0 || brute) times_.push_back(milliseconds_);
-    if (times_.size() < (brute ? 1 : countedDraws)) return std::nullopt;
+    times_.push_back(milliseconds_);
+    if (times_.size() == 1) image_ = renderer_->readRadiance();
+    // Brute force takes long enough for one to do.
+    if (times_.size() < (renderer_->renders() > 1 ? 1 : countedDraws)) return std::nullopt;
     std::sort(times_.begin(), times_.end());
-    const ProbePoint point{*subject_, times_[times_.size() / 2],
-                           compareImages(renderer_->readRadiance(), reference_->image()).rmse};
+    const ProbePoint point{*subject_, times_[times_.size() / 2], compareImages(image_, reference_->image()).rmse};
     subject_.reset();
     technique_.reset();  // its maps may be large, and the picture's technique has its own
     return point;

@@ -71,9 +71,9 @@ class AccuracyProbe {
     std::unique_ptr<Technique> technique_;
     std::optional<FramePlan> plan_;
     bool drawing_ = false;
-    int draws_ = 0;              ///< completed
     double milliseconds_ = 0.0;  ///< of the draw at work
-    std::vector<double> times_;
+    std::vector<double> times_;  ///< of the completed draws
+    LinearImage image_;          ///< of the first of them
     std::string failure_;
 };
 

@@ -115,7 +115,7 @@ bool DiagnosticPicture::drawFinal() {
     const auto begin = std::chrono::steady_clock::now();
     while (!renderer_->step() && std::chrono::steady_clock::now() - begin < budget) {
     }
-    renderer_->timer().finishFrame();  // nobody asks how long this took
+    renderer_->timer().finishFrame();  // its time is of no interest
     return renderer_->complete();
 }
 

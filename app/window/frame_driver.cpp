@@ -86,6 +86,7 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
     try {
         picture_ = nullptr;
         hasPlan_ = false;
+        renderer_.timer().finishFrame();  // of a picture that was given up half-way
         if (level == 0 && std::exchange(warmUp_, false))
             drawWarmUp(renderer_, *wanted.planner, *wanted.technique, wanted.request, wanted.view);
         FramePlan plan = wanted.planner->plan(quality_.reduced(wanted.request, level));
@@ -99,7 +100,7 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
     state_ = State::Drawing;
     readTimes();
     double cost = milliseconds() - start;
-    if (times_.frames() > 0) cost = std::max(cost, times_.medianTotal());
+    if (times_.frames() > 0) cost = std::max(cost, times_.medianTotal() / renderer_.renders());
     quality_.measured(level, cost);
 }
 
@@ -121,11 +122,9 @@ void FrameDriver::draw() {
 }
 
 void FrameDriver::readTimes() {
-    // A picture that is drawn once and then stays would leave its times waiting in the queue for ever.
-    if (renderer_.complete())
-        times_.add(renderer_.timer().finishFrame());
-    else if (const auto readings = renderer_.timer().endFrame())
-        times_.add(*readings);
+    // The renders of brute force add up. A picture that is drawn once and then stays would leave its times waiting in
+    // the queue for ever.
+    if (renderer_.complete()) times_.add(renderer_.timer().finishFrame());
 }
 
 void FrameDriver::forgetTimes() {

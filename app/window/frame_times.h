@@ -8,7 +8,8 @@
 
 namespace timeshade {
 
-/// Median times of the last few frames that were drawn alike. Empty ("no data") until a frame's figures have come.
+/// Median times of the last few frames that were drawn alike; of brute force a frame is all its renders together.
+/// Empty ("no data") until a frame's times have come.
 class FrameTimes {
   public:
     static constexpr std::size_t kept = 15;

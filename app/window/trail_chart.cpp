@@ -12,7 +12,7 @@ namespace timeshade {
 
 namespace {
 
-/// Points of one curve differ in nothing but their effort.
+/// Points of one curve differ in nothing but their sample count.
 bool onOneCurve(const ProbeSubject& a, const ProbeSubject& b) {
     return a.technique == b.technique && a.mapSize == b.mapSize &&
            (a.settings == b.settings || sampleCountLabel(a).back() == 'x');
@@ -42,7 +42,7 @@ Chart trailChart(const std::vector<ProbePoint>& trail, bool softwareRenderer) {
         curves.push_back({&point});
     }
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        // More effort is more time, but for noise; the labels' numbers are the order that was meant.
+        // More samples take more time, but for noise; the labels' numbers are the order.
         std::sort(curves[i].begin(), curves[i].end(), [](const ProbePoint* a, const ProbePoint* b) {
             return std::stoi(sampleCountLabel(a->subject)) < std::stoi(sampleCountLabel(b->subject));
         });

@@ -10,7 +10,7 @@
 
 namespace timeshade {
 
-/// Error against milliseconds, one curve per technique and settings, joined in the order of effort.
+/// Error against milliseconds, one curve per technique and settings, joined in the order of their sample counts.
 Chart trailChart(const std::vector<ProbePoint>& trail, bool softwareRenderer);
 
 /// The chart as a texture, drawn anew only when it changes.

@@ -30,4 +30,36 @@ void drawWarmUp(FrameRenderer& renderer, FramePlanner& planner, Technique& techn
     renderer.timer().finishFrame();  // none of it is the picture's time
 }
 
+void emptyCaches(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
+                 View view) {
+    // A frame that may not use any cache finds and leaves all of them empty.
+    FrameRequest uncached = request;
+    uncached.useCaches = false;
+    renderer.begin(planner.plan(uncached), technique, view);
+    renderer.step();
+    technique.forget();
+    renderer.timer().finishFrame();
+}
+
+void drawVariants(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
+                  View view, const std::string& techniqueView) {
+    constexpr int renders = 3;  // of brute force: its caches are empty in the first, fill in the second
+    const auto draw = [&](double frame) {
+        FrameRequest drawn = request;
+        drawn.frame = frame;
+        renderer.begin(planner.plan(drawn), technique, view, techniqueView);
+        for (int i = 0; i < renders && !renderer.step(); ++i) {
+        }
+    };
+    // Twice: a driver may compile a program once more for the state that the first time has left, as llvmpipe does.
+    for (int i = 0; i < 2; ++i) {
+        emptyCaches(renderer, planner, technique, request, view);
+        draw(request.frame);
+        if (warmUpCount(technique) == 0) draw(request.frame - 1.0);
+        drawWarmUp(renderer, planner, technique, request, view);
+        draw(request.frame);
+    }
+    renderer.timer().finishFrame();
+}
+
 }  // namespace timeshade

@@ -19,4 +19,16 @@ std::string warmUpWords(const Technique& technique, const FrameRequest& request)
 void drawWarmUp(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
                 View view);
 
+/// Leaves nothing in any cache of the renderer and the technique, and no history: the next frame is drawn as the first
+/// of a sequence. Programs stay compiled.
+void emptyCaches(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
+                 View view);
+
+/// Draws what a sequence that arrives at the requested frame would meet: a frame with nothing cached, the one in which
+/// caches fill or the frames of a warm-up, and one that uses them. So every program that such frames need is compiled,
+/// by us and by the driver, and every buffer is there. Of brute force some renders of each. What is drawn and its times
+/// are dropped.
+void drawVariants(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
+                  View view, const std::string& techniqueView = {});
+
 }  // namespace timeshade

@@ -11,8 +11,10 @@ const Program& ProgramCache::get(const ProgramDescription& description) {
     for (const std::string& stage : description.stages()) key += stage + "|";
     for (const auto& [name, value] : description.defines) key += "|" + name + "=" + value;
     auto found = programs_.find(key);
-    if (found == programs_.end())
+    if (found == programs_.end()) {
         found = programs_.emplace(std::move(key), Entry{Program(description), description, 0}).first;
+        ++compiled_;
+    }
     found->second.lastUse = ++uses_;
     return found->second.program;
 }
@@ -29,6 +31,7 @@ std::vector<std::string> ProgramCache::reload() {
     for (auto& [key, entry] : programs_) {
         try {
             entry.program = Program(entry.description);
+            ++compiled_;
         } catch (const Error& error) {
             complaints.emplace_back(error.what());
         }

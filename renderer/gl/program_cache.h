@@ -22,6 +22,9 @@ class ProgramCache {
     /// files say of these, a line each.
     std::vector<std::string> reload();
     std::size_t size() const { return programs_.size(); }
+    /// How many programs have been compiled so far, those that were dropped and compiled again included. A frame
+    /// that leaves it as it was has compiled nothing, so its times are those of drawing alone.
+    std::uint64_t compiled() const { return compiled_; }
 
   private:
     struct Entry {
@@ -30,7 +33,7 @@ class ProgramCache {
         std::uint64_t lastUse;
     };
     std::map<std::string, Entry> programs_;
-    std::uint64_t uses_ = 0;
+    std::uint64_t uses_ = 0, compiled_ = 0;
 };
 
 }  // namespace timeshade::gl

@@ -12,14 +12,14 @@ namespace {
 
 using Times = SamplingTraits::Times;
 
-/// No random number decides: what is looked at is the same whatever the seed.
+/// It draws no random number: its lit values are the same whatever the seed.
 bool isDeterministic(const SamplingTraits& traits) {
     return traits.times == Times::OneInstant || traits.times == Times::EvenInstants;
 }
 
-/// Four standard errors of the mean of independent answers, one from each stratum at a time.
+/// Four standard errors of the mean of independent lit values, one from each stratum at a time.
 double samplingTolerance(const ClosedFormCase& c, const SamplingTraits& traits, const Expectation& e,
-                         double answersPerStratum) {
+                         double valuesPerStratum) {
     if (isDeterministic(traits)) return 0.0;
     double variance = 0.0;
     for (const double lit : e.litOfStratum) variance += lit * (1.0 - lit);
@@ -27,12 +27,12 @@ double samplingTolerance(const ClosedFormCase& c, const SamplingTraits& traits, 
     // What an integration's steps pass over, samples may hit.
     if (c.fleeting) variance += strata * c.exact * (1.0 - c.exact);
     variance *= 1.0 / (c.seenTo - c.seenFrom);
-    return 4.0 * std::sqrt(variance / (strata * strata * answersPerStratum));
+    return 4.0 * std::sqrt(variance / (strata * strata * valuesPerStratum));
 }
 
-int picturesFor(const SamplingTraits& traits, double answersPerPicture) {
+int picturesFor(const SamplingTraits& traits, double valuesPerPicture) {
     if (isDeterministic(traits)) return 1;
-    return std::clamp(static_cast<int>(std::ceil(100.0 / answersPerPicture)), 1, 64);
+    return std::clamp(static_cast<int>(std::ceil(100.0 / valuesPerPicture)), 1, 64);
 }
 
 }  // namespace
@@ -94,8 +94,8 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
             "what a map fitted to the picture catches of a caster finer than the light's own texels is not predicted";
         return result;
     }
-    const double answers = independentAnswers(c, traits, sampleCount.mapSize);
-    const int pictures = picturesFor(traits, answers);
+    const double perStratum = independentAnswers(c, traits, sampleCount.mapSize);
+    const int pictures = picturesFor(traits, perStratum);
     try {
         result.value = measureLitShare(renderer, technique, c, sampleCount, pictures);
     } catch (const LimitError& error) {
@@ -104,7 +104,7 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
     }
 
     const Expectation e = expectationOf(c, traits, sampleCount.samplesPerPixel, sampleCount.mapSize);
-    const double noise = samplingTolerance(c, traits, e, answers * pictures);
+    const double noise = samplingTolerance(c, traits, e, perStratum * pictures);
     // Positions that are rounded once, and the patch's own width: its sides are reached by the shadow's ends a little
     // apart.
     double own = traits.statedError + 1e-4 + 0.05 * c.ends * c.patchWidth * (c.fleeting ? 0.0 : 1.0);

@@ -9,7 +9,7 @@
 
 namespace timeshade {
 
-/// How a technique's answer to a hard case stands to the exact one.
+/// How a technique's lit share of an analytic case compares with the exact one.
 enum class Verdict {
     Right,      ///< exact within the tolerance that follows from what the technique states about itself
     Predicted,  ///< off, by as much as that says
@@ -25,7 +25,7 @@ struct CaseResult {
     double exact = 0.0;
     double value = 0.0;      ///< mean lit of the samples that see the receiver
     double tolerance = 0.0;  ///< about exact
-    double predicted = 0.0;  ///< what the technique's traits say that it answers
+    double predicted = 0.0;  ///< what follows from the technique's traits
     double predictedTolerance = 0.0;
     Verdict verdict = Verdict::NotTaken;
     std::string reason;  ///< why it is not taken, in words
@@ -47,12 +47,12 @@ double measureLitShare(FrameRenderer& renderer, Technique& technique, const Clos
 CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c,
                    const CaseSampling& sampleCount);
 
-/// The smallest gap between a caster and its receiver, in steps of 1, 2, 5, at which the shadow is kept (lit at most 1
+/// The smallest gap between a caster and its receiver, in steps of 1, 2, 5, at which the shadow is there (lit at most 1
 /// %), all wider ones included; the light is 10 away. As a cell: right down to a thousandth of that distance, predicted
 /// down to the technique's own bias.
 CaseResult runContactGaps(FrameRenderer& renderer, Technique& technique, const CaseSampling& sampleCount);
 
-/// A case that no technique takes part in.
+/// A case without a technique: a shared function at floats.
 CaseResult runNumericCase(const ClosedFormCase& c);
 
 }  // namespace timeshade

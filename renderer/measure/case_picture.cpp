@@ -39,7 +39,7 @@ class MatrixPicture {
         const double height = 2.0 * margin + rowHeight * static_cast<double>(cases_.size() + 3);
         ChartCanvas canvas(static_cast<int>(width), static_cast<int>(height), ground);
         const double top = margin;
-        text(canvas, margin, top, "hard case", true, ink);
+        text(canvas, margin, top, "analytic case", true, ink);
         text(canvas, margin + nameWidth, top, "exact", true, ink);
         for (std::size_t t = 0; t < techniques_.size(); ++t) text(canvas, cellLeft(t), top, techniques_[t], true, ink);
         for (std::size_t c = 0; c < cases_.size(); ++c)

@@ -1,51 +1,50 @@
 #include "measure/convergence.h"
 
-#include <utility>
+#include <memory>
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "measure/metrics.h"
 #include "measure/reference_technique.h"
+#include "measure/technique_variant.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
 
-std::vector<ConvergenceCurve> historyCurves() {
-    using Settings = std::vector<std::pair<std::string, std::string>>;
-    const Settings published{{"as_published", "on"}, {"jitter", "2"}, {"fit", "0"}, {"bias", "0.5"}};
-    const auto with = [](Settings settings, const Settings& more) {
-        settings.insert(settings.end(), more.begin(), more.end());
-        return settings;
-    };
-    const Settings three{{"m", "3"}, {"m_still", "3"}}, fifteen{{"m", "15"}, {"m_still", "15"}};
-    // The paper's own answers, kept as sums.
-    const Settings summed{{"try_triangles", "off"}}, turned{{"try_triangles", "off"}, {"jitter", "2"}};
-    return {{"as published, m = 3", with(published, three)},
-            {"as published, m = 15", with(published, fifteen)},
-            {"as published, m from 3 to 15", published},
-            {"as published, not turned", with(published, {{"jitter", "1"}})},
-            {"as published, after motion", published, true},
-            {"sums, m = 3", with(turned, three)},
-            {"sums, m = 15", with(turned, fifteen)},
-            {"sums, m from 3 to 15", turned},
-            {"sums, not turned", summed},
-            {"repaired", {}},
-            {"repaired, after motion", {}, true}};
+std::vector<std::string> convergingTechniques() {
+    gl::ProgramCache programs;
+    std::vector<std::string> names;
+    for (const TechniqueDescription& description : techniqueDescriptions())
+        if (makeTechnique(description.name, programs)->settlingFrames() > 0) names.push_back(description.name);
+    return names;
+}
+
+std::vector<ConvergenceCurve> convergenceCurves(const std::vector<std::string>& variants) {
+    gl::ProgramCache programs;
+    std::vector<ConvergenceCurve> curves;
+    for (const std::string& variant : variants) {
+        if (TechniqueVariant::of(variant).make({}, programs)->settlingFrames() == 0)
+            throw UsageError(fmt::format(
+                "--convergence: {} draws a still picture once; expected techniques that go on improving it, as {}",
+                variant, fmt::join(convergingTechniques(), ", ")));
+        curves.push_back({variant, variant});
+        curves.push_back({variant + ", after motion", variant, true});
+    }
+    return curves;
 }
 
 DisplayImage referencePicture(FrameRenderer& renderer, const FramePlan& plan) {
-    ReferenceTechnique truth;
-    renderer.draw(plan, truth, View::Final);
+    ReferenceTechnique reference;
+    renderer.draw(plan, reference, View::Final);
     return renderer.readPicture();
 }
 
 void measureConvergence(FrameRenderer& renderer, const std::vector<FramePlan>& approach, const FramePlan& plan,
-                        const DisplayImage& reference, const std::string& name,
-                        const std::vector<std::pair<std::string, std::string>>& settings,
+                        const DisplayImage& reference, const std::vector<std::pair<std::string, std::string>>& settings,
                         const std::vector<int>& frames, ConvergenceCurve& curve) {
-    const std::unique_ptr<Technique> technique = makeTechnique(name, renderer.programs());
-    for (const auto* list : {&settings, &std::as_const(curve.settings)})
-        for (const auto& [key, value] : *list) setFromText(*technique, key, value);
+    const std::unique_ptr<Technique> technique =
+        TechniqueVariant::of(curve.variant).make(settings, renderer.programs());
     if (curve.afterMotion)
         for (const FramePlan& before : approach) renderer.draw(before, *technique, View::Final);
     int drawn = 0;
@@ -54,7 +53,7 @@ void measureConvergence(FrameRenderer& renderer, const std::vector<FramePlan>& a
         curve.pictures.push_back(renderer.readPicture());
         curve.offBy30.push_back(100.0 * shareOffBy(curve.pictures.back(), reference, visibleLevels));
     }
-    renderer.timer().finishFrame();  // nobody asks how long this took
+    renderer.timer().finishFrame();  // its time is of no interest
 }
 
 std::string convergenceTable(const std::vector<ConvergenceCurve>& curves, const std::vector<int>& frames) {

@@ -13,7 +13,7 @@ namespace timeshade {
 DisplayImage errorView(const LinearImage& image, const LinearImage& reference, double fullScale = 1.0,
                        int enlarged = 1);
 
-/// Counts per pixel which of its camera samples were answered wrongly.
+/// Counts per pixel the camera samples whose lit value is wrong.
 class DisagreementView {
   public:
     DisagreementView(int width, int height);

@@ -20,20 +20,22 @@ struct EffectRow {
     std::vector<std::string> passes;                 ///< of the last frame
     std::map<std::string, double>
         milliseconds;  ///< medians over the frames: "plan", "decide", "sample", "build", "lookup", "shade", "frame"
-    std::map<std::string, double> statistics;  ///< of the last frame: fragments, entries
+    std::map<std::string, double> statistics;  ///< of the last frame: entries of lists
     std::size_t bytes = 0;
-    double forcedShare = 0.0;  ///< frame time over that of --no-plan, medians of the same frames
+    double forcedShare = 0.0;  ///< frame time over that of --force-dynamic, medians of the same frames
 };
 
 struct EffectOptions {
-    std::string technique = "ranges";
-    int frames = 8;  ///< drawn in a row of each, the first two of them not counted
+    std::string technique;              ///< a TechniqueVariant: whose effects are measured
+    std::vector<std::string> compared;  ///< TechniqueVariants that play the scene as it is, for what they cost
+    int frames = 8;                     ///< of a sequence, the first two of which are not counted
     std::function<void(int done, int total)> progress;
 };
 
 /// Plays the scene from the request's frame on, row by row in turn, frame by frame: each row has a renderer of its own,
-/// so that each keeps what it would keep. Rows: as it is; deformation, objects, light, camera held, each where it moves
-/// at all; nothing moves; shutter closed; and `static` with and without PCF, and `history`, for what these cost.
+/// so that each has its own caches, and every program is compiled before the first frame. Times are those of steady
+/// frames. Rows: nothing planned; as it is; deformation, objects, light, camera held, each where it moves at all;
+/// shutter closed; nothing moves; and the compared techniques.
 std::vector<EffectRow> measureEffects(const Scene& scene, const FrameRequest& request, const EffectOptions& options);
 
 /// As a table in Markdown, one line a row.

@@ -8,9 +8,9 @@
 
 namespace timeshade {
 
-/// Embree at its best on a frame's camera samples, as the peer to measure against: linear motion blur, packets of eight
-/// neighbours in one stratum, all threads, no callbacks, floats throughout. Nothing is ruled upon and nothing is handed
-/// over: this is the bare loop. The truth comes from Oracle.
+/// Embree at its best on a frame's camera samples, as the baseline to measure against: linear motion blur, packets of
+/// eight neighbours in one stratum, all threads, no callbacks, floats throughout. No doubtful sample is resolved
+/// exactly and nothing is handed over: this is the bare loop. The reference is Oracle.
 class EmbreeBaseline {
   public:
     /// Builds the acceleration structure.

@@ -18,11 +18,11 @@ MotionMesh HeldScene::motionMesh(double openSeconds, double closeSeconds) const 
     if (held_.objects) return scene_.motionMesh(seconds_, seconds_);
     MotionMesh mesh = scene_.motionMesh(openSeconds, closeSeconds);
     if (!held_.deformation) return mesh;
-    const MotionMesh still = scene_.motionMesh(seconds_, seconds_);
+    const MotionMesh held = scene_.motionMesh(seconds_, seconds_);
     for (std::size_t i = 0; i < heldVertices_.size(); ++i) {
         if (!heldVertices_[i]) continue;
-        mesh.positionsOpen[i] = mesh.positionsClose[i] = still.positionsOpen[i];
-        mesh.normalsOpen[i] = mesh.normalsClose[i] = still.normalsOpen[i];
+        mesh.positionsOpen[i] = mesh.positionsClose[i] = held.positionsOpen[i];
+        mesh.normalsOpen[i] = mesh.normalsClose[i] = held.normalsOpen[i];
     }
     return mesh;
 }

@@ -9,13 +9,13 @@ namespace timeshade {
 /// What of a scene's motion is left out.
 struct Held {
     bool objects = false;      ///< everything with triangles
-    bool deformation = false;  ///< the instances that turn or deform, as `bending` says
+    bool deformation = false;  ///< the instances that turn or deform, as `nonTranslating` says
     bool light = false;
     bool camera = false;
 };
 
-/// A scene some of whose motion is left out: that part stays as it is at one moment. `bending`, of the topology's
-/// instances: which are held with the deformation.
+/// A scene some of whose motion is left out: that part stays as it is at one moment. `nonTranslating`, of the
+/// topology's instances: which are held with the deformation.
 class HeldScene final : public Scene {
   public:
     HeldScene(const Scene& scene, Held held, double seconds, std::vector<bool> nonTranslating);

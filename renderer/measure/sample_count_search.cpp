@@ -23,7 +23,7 @@ std::optional<int> SampleCountSearch::next() const {
     return sampleCounts_[at_];
 }
 
-void SampleCountSearch::answer(double value) {
+void SampleCountSearch::measured(double value) {
     // Both axes of the chart are logarithmic, and so is what counts as near. No error at all is infinitely far.
     const double distance = std::abs(std::log(value / target_));
     if (distance < distance_ || value_ == 0.0) {

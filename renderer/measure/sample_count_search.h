@@ -5,29 +5,29 @@
 
 namespace timeshade {
 
-/// Finds the effort (samples per pixel, or renders) whose measured value comes nearest to a target, in few
+/// Finds the sample count (samples per pixel, or renders) whose measured value comes nearest to a target, in few
 /// measurements: doubling until the target is passed, then bisection. Knows nothing of what is measured.
 class SampleCountSearch {
   public:
-    /// What more effort does to the value: time rises, error falls.
+    /// What more samples do to the value: time rises, error falls.
     enum class Value { Rises, Falls };
 
-    /// `efforts` in ascending order, not empty; the target is above 0.
+    /// `sampleCounts` in ascending order, not empty; the target is above 0.
     SampleCountSearch(std::vector<int> sampleCounts, double target, Value value);
 
-    /// The effort to be measured next; nothing when the search has ended.
+    /// The sample count to be measured next; nothing when the search has ended.
     std::optional<int> next() const;
     /// The value of next().
-    void answer(double value);
+    void measured(double value);
 
     enum class Outcome {
         Searching,
-        Found,          ///< see effort()
-        LeastTooMuch,   ///< even the least effort lies beyond the target
-        MostTooLittle,  ///< even the most effort does not get there
+        Found,          ///< see sampleCount()
+        LeastTooMuch,   ///< even the fewest samples lie beyond the target
+        MostTooLittle,  ///< even the most samples do not reach it
     };
     Outcome outcome() const { return outcome_; }
-    /// The effort that came nearest and its value; whatever the outcome, once the search has ended.
+    /// The sample count that came nearest and its value; whatever the outcome, once the search has ended.
     int sampleCount() const { return sampleCounts_[nearest_]; }
     double value() const { return value_; }
 

@@ -33,14 +33,22 @@ Timing timingOf(std::vector<double> values) {
 struct Subject {
     SweepPoint point;
     std::unique_ptr<Technique> technique;
-    std::map<std::string, std::vector<double>> times;
+    std::map<FrameState, std::map<std::string, std::vector<double>>> times;
     std::vector<LinearImage> images;
-    SweepRow row;
+    SweepRow row;  ///< of any state, without times
 };
+
+bool isBaseline(const SweepPoint& point) { return point.technique == "embree"; }
+
+/// The states in which a point must have been measured: there may be rows for Filling as well.
+std::vector<FrameState> statesOf(const SweepPoint& point, const SweepScene& scene) {
+    if (isBaseline(point) || !scene.request.useCaches || scene.request.forceDynamic) return {FrameState::Cold};
+    return {FrameState::Cold, FrameState::Steady};
+}
 
 std::unique_ptr<Technique> makeSubject(const SweepPoint& point, const SweepOptions& options,
                                        gl::ProgramCache& programs) {
-    if (point.technique == "embree") return std::make_unique<ReferenceTechnique>();
+    if (isBaseline(point)) return std::make_unique<ReferenceTechnique>();
     std::unique_ptr<Technique> technique = TechniqueVariant::of(point.technique).make(options.settings, programs);
     if (technique->renders() > 1)
         setFromText(*technique, "renders", std::to_string(bruteForceRenders(point.sampleCount)));
@@ -68,7 +76,13 @@ class SceneSweep {
   public:
     SceneSweep(FrameRenderer& renderer, const SweepOptions& options, const SweepScene& scene, ReferenceCache& cache,
                Steps& steps)
-        : renderer_(renderer), options_(options), scene_(scene), cache_(cache), steps_(steps), planner_(*scene.scene) {}
+        : renderer_(renderer),
+          options_(options),
+          scene_(scene),
+          cache_(cache),
+          steps_(steps),
+          planner_(*scene.scene),
+          clock_(renderer, planner_, View::Final) {}
 
     void run(std::vector<Subject>& subjects) {
         steps_.next(scene_.varied.empty()
@@ -81,7 +95,7 @@ class SceneSweep {
         for (int round = 0; round < options_.rounds; ++round)
             for (Subject& subject : subjects) {
                 steps_.next(fmt::format("{}: round {}", subject.point.key(), round + 1));
-                draw(subject, round);
+                time(subject, round);
             }
         for (Subject& subject : subjects) {
             steps_.next(subject.point.key() + ": against the oracle");
@@ -100,29 +114,30 @@ class SceneSweep {
 
     FramePlan planFor(const SweepPoint& point, int round) { return planner_.plan(requestFor(point, round)); }
 
-    /// A draw to warm up (shaders, buffers of this size, caches), then the one that counts.
-    void draw(Subject& subject, int round) {
-        const bool hasHistory = warmUpCount(*subject.technique) > 0;
-        drawWarmUp(renderer_, planner_, *subject.technique, requestFor(subject.point, round), View::Final);
-        const FramePlan plan = planFor(subject.point, round);
-        if (subject.technique->renders() == 1 && !hasHistory) renderer_.draw(plan, *subject.technique, View::Final);
-        renderer_.timer().finishFrame();
-        renderer_.draw(plan, *subject.technique, View::Final);
-        std::map<std::string, double> times;
-        for (const auto& reading : renderer_.timer().finishFrame()) times[reading.name] = reading.milliseconds;
-        if (subject.point.technique == "embree") timeEmbree(plan, times);
-        double total = 0.0;
-        for (const auto& [name, milliseconds] : times)
-            if (name.find('/') == std::string::npos) total += milliseconds;  // a part is in its whole
-        times["total"] = total;
-        for (const auto& [name, milliseconds] : times) subject.times[name].push_back(milliseconds);
+    void time(Subject& subject, int round) {
+        const FrameRequest request = requestFor(subject.point, round);
+        if (isBaseline(subject.point)) {
+            renderer_.draw(planner_.plan(request), *subject.technique, View::Final);
+            std::map<std::string, double> steps = stepsOf(renderer_.timer().finishFrame());
+            timeEmbree(planner_.plan(request), steps);
+            add(subject, FrameState::Cold, steps);
+        } else {
+            if (round == 0) clock_.warmUp(*subject.technique, request);
+            for (const ClockedFrame& frame : clock_.time(*subject.technique, request, std::max(1, options_.sequence)))
+                add(subject, frame.state, stepsOf(frame.readings));
+        }
         subject.images.push_back(renderer_.readRadiance());
         if (round == 0) {
             const GpuMemory memory = renderer_.memory();
             subject.row.bytes = memory.total();
             subject.row.techniqueBytes = memory.technique;
             subject.row.statistics = subject.technique->statistics();
+            subject.row.renders = renderer_.renders();
         }
+    }
+
+    static void add(Subject& subject, FrameState state, const std::map<std::string, double>& steps) {
+        for (const auto& [name, milliseconds] : steps) subject.times[state][name].push_back(milliseconds);
     }
 
     /// Embree at its best on the same camera samples: building, primary rays, shadow rays, without any transfer.
@@ -136,12 +151,12 @@ class SceneSweep {
         begin = Clock::now();
         baseline.traceShadows();
         times["lookup"] = millisecondsSince(begin);
+        times["total"] = times["build"] + times["sample"] + times["lookup"] + times["shade"];
     }
 
     void finish(Subject& subject) {
         SweepRow& row = subject.row;
         row.point = subject.point;
-        for (const auto& [name, values] : subject.times) row.steps[name] = timingOf(values);
         const LinearImage& image = subject.images.front();
         row.error = compareImages(image, reference_, displayed(image, true), displayedReference_);
         row.biasAndNoise = biasAndNoise(subject.images, reference_);
@@ -158,6 +173,7 @@ class SceneSweep {
     ReferenceCache& cache_;
     Steps& steps_;
     FramePlanner planner_;
+    FrameClock clock_;
     LinearImage reference_;
     DisplayImage displayedReference_;
 };
@@ -166,11 +182,33 @@ std::vector<SweepPoint> pointsOf(const SweepOptions& options, const SweepScene& 
     std::vector<SweepPoint> points;
     for (const std::string& technique : options.techniques)
         for (const int mapSize : options.mapSizes) {
-            if (technique == "embree" && mapSize != options.mapSizes.front()) continue;  // it has no map
-            for (const int sampleCount : options.sampleCounts)
+            for (const int sampleCount : options.sampleCounts) {
                 points.push_back({scene.name, technique, sampleCount, mapSize, scene.varied, scene.variedValue});
+                if (isBaseline(points.back()) && mapSize != options.mapSizes.front()) points.pop_back();  // has no map
+            }
         }
     return points;
+}
+
+bool wanted(FrameState state, const SweepOptions& options) {
+    return state != FrameState::Filling || options.sequence > 0;
+}
+
+bool measured(const SweepJournal& journal, const SweepPoint& point, const SweepScene& scene) {
+    for (const FrameState state : statesOf(point, scene))
+        if (!journal.find(point, state)) return false;
+    return true;
+}
+
+/// A row for every state in which the subject was timed, but for those that the journal has.
+void write(SweepJournal& journal, const Subject& subject) {
+    for (const auto& [state, times] : subject.times) {
+        if (journal.find(subject.point, state)) continue;  // of a sweep that was interrupted right behind it
+        SweepRow row = subject.row;
+        row.state = state;
+        for (const auto& [name, values] : times) row.steps[name] = timingOf(values);
+        journal.append(row);
+    }
 }
 
 /// What a journal must have been made with for its rows to be used again.
@@ -178,6 +216,7 @@ std::string experimentOf(const FrameRenderer& renderer, const SweepOptions& opti
     std::string text =
         fmt::format("{}; rounds {}; reference {}", renderer.device().renderer + " " + renderer.device().version,
                     options.rounds, options.referenceSamples);
+    if (options.sequence > 0) text += fmt::format("; sequence {}", options.sequence);
     for (const auto& [name, value] : options.settings) text += fmt::format("; {}={}", name, value);
     for (const SweepScene& scene : options.scenes)
         text += fmt::format("; {} {}x{} frame {} shutter {} fps {} seed {} camera {}", scene.name, scene.request.width,
@@ -199,22 +238,25 @@ std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& opti
     int total = 0;
     for (const SweepScene& scene : options.scenes) {
         int missing = 0;
-        for (const SweepPoint& point : pointsOf(options, scene)) missing += journal.find(point) ? 0 : 1;
+        for (const SweepPoint& point : pointsOf(options, scene)) missing += measured(journal, point, scene) ? 0 : 1;
         total += missing > 0 ? 1 + missing * (options.rounds + 1) : 0;
     }
     Steps steps(options, total);
     for (const SweepScene& scene : options.scenes) {
         std::vector<Subject> subjects;
         for (const SweepPoint& point : pointsOf(options, scene))
-            if (!journal.find(point))
+            if (!measured(journal, point, scene))
                 subjects.push_back({point, makeSubject(point, options, renderer.programs()), {}, {}, {}});
         if (subjects.empty()) continue;
         SceneSweep(renderer, options, scene, cache, steps).run(subjects);
-        for (const Subject& subject : subjects) journal.append(subject.row);
+        for (const Subject& subject : subjects) write(journal, subject);
     }
     std::vector<SweepRow> rows;
     for (const SweepScene& scene : options.scenes)
-        for (const SweepPoint& point : pointsOf(options, scene)) rows.push_back(*journal.find(point));
+        for (const SweepPoint& point : pointsOf(options, scene))
+            for (const FrameState state : {FrameState::Cold, FrameState::Filling, FrameState::Steady})
+                if (const SweepRow* row = journal.find(point, state); row && wanted(state, options))
+                    rows.push_back(*row);
     return rows;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frame/frame_renderer.h"
+#include "measure/frame_clock.h"
 #include "measure/metrics.h"
 #include "measure/reference_cache.h"
 #include "measure/verification.h"
@@ -17,26 +18,30 @@ namespace timeshade {
 /// One setting of the experiment.
 struct SweepPoint {
     std::string scene;
-    std::string technique;  ///< a TechniqueVariant, or "embree" for the ray-traced peer
-    int sampleCount = 8;    ///< samples per pixel; brute force draws bruteForceRenders(effort) renders instead
+    std::string technique;  ///< a TechniqueVariant, or "embree" for the Embree baseline
+    int sampleCount = 8;    ///< samples per pixel; brute force draws bruteForceRenders(sampleCount) renders instead
     int mapSize = 512;
     std::string varied{};  ///< the scene's setting that the sweep varies: "cubes.count"; empty for none
     double variedValue = 0.0;
 
-    /// Unique in a sweep; what rows are known by in the journal.
+    /// Unique in a sweep; with the state, what rows are known by in the journal.
     std::string key() const;
 };
 
-/// Brute force spends its effort on renders: 8 for each sample per pixel that the others take.
+/// Brute force is given renders in place of samples: 8 for each sample per pixel that the others take.
 inline constexpr int bruteForceRenders(int sampleCount) { return 8 * sampleCount; }
 
-/// Milliseconds of one step over the rounds.
+/// Milliseconds of one step, over the rounds and the frames of each.
 struct Timing {
     double median = 0.0, low = 0.0, high = 0.0;
 };
 
+/// One point in one state. The state decides the times alone: errors and statistics are those of the requested frame
+/// as `shot` draws it, equal in all rows of a point.
 struct SweepRow {
     SweepPoint point;
+    FrameState state = FrameState::Steady;
+    int renders = 1;                             ///< of brute force, whose times are those of all of them together
     std::map<std::string, Timing> steps;         ///< sample, build, lookup, shade, total; and parts: "build/collect"
     std::vector<TechniqueStatistic> statistics;  ///< what the technique counted in the first seed's picture
     ErrorMetrics error;                          ///< of the first seed's picture
@@ -56,20 +61,22 @@ struct SweepScene {
 
 struct SweepOptions {
     std::vector<SweepScene> scenes;
-    std::vector<std::string> techniques;  ///< TechniqueVariants; "embree" among them adds the peer
+    std::vector<std::string> techniques;  ///< TechniqueVariants; "embree" among them adds the baseline
     std::vector<std::pair<std::string, std::string>> settings;  ///< "tsm.bias", "0.5"
     std::vector<int> sampleCounts{1, 2, 4, 8, 16};
     std::vector<int> mapSizes{512};
-    int rounds = 3;  ///< at least 2; each draws every point once, in turn, with another seed
+    int rounds = 3;    ///< at least 2; each times every point once, in turn, with another seed
+    int sequence = 0;  ///< frames timed as steady ones in a round; then there are rows for caches that fill as well. 0:
+                       ///< one such frame, and no rows for that
     int referenceSamples = 256;
     std::filesystem::path journal;  ///< finished rows are kept here, one JSON line each
     /// What is being done, how many of how many steps are done, and seconds left (negative: not known yet).
     std::function<void(const std::string&, int, int, double)> progress;
 };
 
-/// Runs the experiment: per scene, every point is drawn once per round, so that drift hits all alike, after a warm-up
-/// draw of its own. Rows that the journal already holds are not measured again. Rows come in the order scene,
-/// technique, map, effort.
+/// Runs the experiment: per scene, every point is timed once per round, so that drift hits all alike, by a FrameClock.
+/// Rows that the journal already holds are not measured again. Rows come in the order scene, technique, map, sample
+/// count, state. Where nothing may be cached there are cold rows alone, as for Embree, which keeps nothing.
 std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache);
 
 }  // namespace timeshade

@@ -30,6 +30,8 @@ std::string rowAsJson(const SweepRow& row) {
     json["technique"] = row.point.technique;
     json["spp"] = row.point.sampleCount;
     json["map"] = row.point.mapSize;
+    json["state"] = nameOf(row.state);
+    json["renders"] = row.renders;
     if (!row.point.varied.empty()) json["varied"] = {{"key", row.point.varied}, {"value", row.point.variedValue}};
     for (const auto& [name, timing] : row.steps)
         json["milliseconds"][name] = {{"median", timing.median}, {"low", timing.low}, {"high", timing.high}};
@@ -57,6 +59,8 @@ SweepRow rowFromJson(const std::string& text) {
     const Json json = Json::parse(text);
     SweepRow row;
     row.point = {json.at("scene"), json.at("technique"), json.at("spp"), json.at("map"), "", 0.0};
+    row.state = frameStateNamed(json.value("state", "")).value_or(FrameState::Filling);
+    row.renders = json.value("renders", 1);
     if (json.contains("varied")) {
         row.point.varied = json.at("varied").at("key");
         row.point.variedValue = json.at("varied").at("value");
@@ -101,9 +105,9 @@ SweepJournal::SweepJournal(std::filesystem::path path, const std::string& experi
     writeFileAtomically(path_, kept);
 }
 
-const SweepRow* SweepJournal::find(const SweepPoint& point) const {
+const SweepRow* SweepJournal::find(const SweepPoint& point, FrameState state) const {
     for (const SweepRow& row : rows_)
-        if (row.point.key() == point.key()) return &row;
+        if (row.state == state && row.point.key() == point.key()) return &row;
     return nullptr;
 }
 

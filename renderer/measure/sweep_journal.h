@@ -14,7 +14,7 @@ namespace timeshade {
 class SweepJournal {
   public:
     SweepJournal(std::filesystem::path path, const std::string& experiment);
-    const SweepRow* find(const SweepPoint& point) const;
+    const SweepRow* find(const SweepPoint& point, FrameState state) const;
     void append(const SweepRow& row);
 
   private:
@@ -22,7 +22,8 @@ class SweepJournal {
     std::vector<SweepRow> rows_;
 };
 
-/// A row as JSON, every figure with all its digits, and back.
+/// A row as JSON, every figure with all its digits, and back. A row without a state comes from a version that drew a
+/// point twice and timed the second time: its state is Filling.
 std::string rowAsJson(const SweepRow& row);
 SweepRow rowFromJson(const std::string& text);
 

@@ -6,57 +6,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "measure/sweep_charts.h"
 #include "measure/sweep_journal.h"
+#include "measure/sweep_rows.h"
 
 namespace timeshade {
 
 namespace {
-
-const std::vector<std::string> steps{"sample", "build", "lookup", "shade", "total"};
-
-Timing stepOf(const SweepRow& row, const std::string& name) {
-    const auto found = row.steps.find(name);
-    return found == row.steps.end() ? Timing{} : found->second;
-}
-
-std::vector<std::string> scenesOf(const std::vector<SweepRow>& rows) {
-    std::vector<std::string> scenes;
-    for (const SweepRow& row : rows)
-        if (std::find(scenes.begin(), scenes.end(), row.point.scene) == scenes.end()) scenes.push_back(row.point.scene);
-    return scenes;
-}
-
-/// "tsm" of "tsm:bias=2".
-std::string baseOf(const std::string& technique) { return technique.substr(0, technique.find(':')); }
-
-const SweepRow* variedRow(const std::vector<SweepRow>& rows, const std::string& scene) {
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const SweepRow& row) {
-        return row.point.scene == scene && !row.point.varied.empty();
-    });
-    return found == rows.end() ? nullptr : &*found;
-}
-
-/// Names of the parts of steps ("build/collect") in any of the rows; of one scene, or of all where it is empty.
-std::vector<std::string> partsOf(const std::vector<SweepRow>& rows, const std::string& scene) {
-    std::set<std::string> parts;
-    for (const SweepRow& row : rows)
-        for (const auto& [name, timing] : row.steps)
-            if (name.find('/') != std::string::npos && (scene.empty() || row.point.scene == scene)) parts.insert(name);
-    return {parts.begin(), parts.end()};
-}
-
-/// "tsm", or "tsm, map 256" where a scene was measured with several maps.
-std::string curveName(const std::vector<SweepRow>& rows, const SweepPoint& point) {
-    std::set<int> maps;
-    for (const SweepRow& row : rows)
-        if (row.point.technique == point.technique) maps.insert(row.point.mapSize);
-    return maps.size() > 1 ? fmt::format("{}, map {}", point.technique, point.mapSize) : point.technique;
-}
-
-std::string sampleCountLabel(const SweepPoint& point) {
-    return baseOf(point.technique) == "accumulation" ? fmt::format("{}x", bruteForceRenders(point.sampleCount))
-                                                     : fmt::format("{}", point.sampleCount);
-}
 
 std::string fileName(const std::string& scene) {
     std::string name = std::filesystem::path(scene).stem().string();
@@ -82,7 +38,8 @@ nlohmann::ordered_json asJson(const SweepManifest& m) {
             {"plans", m.plans}};
 }
 
-/// Where the error of a technique stops falling: the bias at its greatest effort, and whether it is above the noise.
+/// Where the error of a technique stops falling: the bias at its most samples, and whether it is above the noise. The
+/// rows are one for each point.
 std::string floorLine(const std::vector<SweepRow>& rows, const std::string& scene, const std::string& technique) {
     std::vector<double> sampleCounts, errors;
     const SweepRow* last = nullptr;
@@ -112,10 +69,11 @@ std::string reportTable(const std::vector<SweepRow>& rows, const std::string& sc
         rule += " --: |";
     };
     if (varied != nullptr) column(varied->point.varied);
-    for (const char* name : {"spp", "map", "sample", "build", "lookup", "shade"}) column(name);
+    for (const char* name : {"spp", "map", "state", "camera samples", "shadow structure", "shadow test", "shading"})
+        column(name);
     for (const std::string& part : parts) column(part);
-    for (const char* name :
-         {"total ms (low to high)", "RMSE", "bias", "noise", "off by > 30/255", "disagree", "technique MiB", "GPU MiB"})
+    for (const char* name : {"total ms (low to high)", "image RMSE", "bias", "noise", "off by > 30/255",
+                             "wrong shadow samples", "technique MiB", "GPU MiB"})
         column(name);
     std::string text = head + "\n" + rule + "\n";
     for (const SweepRow& row : rows) {
@@ -123,10 +81,10 @@ std::string reportTable(const std::vector<SweepRow>& rows, const std::string& sc
         const Timing total = stepOf(row, "total");
         text += fmt::format("| {} |", row.point.technique);
         if (varied != nullptr) text += fmt::format(" {:g} |", row.point.variedValue);
-        text += fmt::format(" {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |", sampleCountLabel(row.point),
+        text += fmt::format(" {} | {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |", sampleCountLabel(row),
                             row.point.technique == "embree" ? "-" : fmt::format("{}", row.point.mapSize),
-                            stepOf(row, "sample").median, stepOf(row, "build").median, stepOf(row, "lookup").median,
-                            stepOf(row, "shade").median);
+                            nameOf(row.state), stepOf(row, "sample").median, stepOf(row, "build").median,
+                            stepOf(row, "lookup").median, stepOf(row, "shade").median);
         for (const std::string& part : parts)
             text += row.steps.count(part) > 0 ? fmt::format(" {:.1f} |", stepOf(row, part).median) : " |";
         text += fmt::format(
@@ -138,10 +96,10 @@ std::string reportTable(const std::vector<SweepRow>& rows, const std::string& sc
     return text;
 }
 
-/// What the techniques counted, a line for each row that counted anything.
+/// The techniques' statistics, a line for each point that has any.
 std::string statisticLines(const std::vector<SweepRow>& rows, const std::string& scene) {
     std::string text;
-    for (const SweepRow& row : rows) {
+    for (const SweepRow& row : rowsOfCharts(rows)) {
         if (row.point.scene != scene || row.statistics.empty()) continue;
         text += fmt::format("- `{}`:", row.point.key());
         for (const TechniqueStatistic& figure : row.statistics)
@@ -150,117 +108,83 @@ std::string statisticLines(const std::vector<SweepRow>& rows, const std::string&
                                 figure.warning.empty() ? "" : " (" + figure.warning + ")");
         text += "\n";
     }
-    return text.empty() ? "" : "Counted:\n\n" + text + "\n";
+    return text.empty() ? "" : "Statistics:\n\n" + text + "\n";
 }
 
-std::string report(const SweepManifest& manifest, const std::vector<SweepRow>& rows) {
+/// What the words of the tables mean.
+std::string preface(const SweepManifest& manifest) {
     std::string text = "# Accuracy against time\n\n";
     if (manifest.device.software)
         text +=
             "**Software renderer**: milliseconds are finished wall times on a processor and say nothing about a GPU. "
-            "Ratios between "
-            "rows, which were measured in turn, are what to read.\n\n";
-    text += fmt::format(
-        "    {}\n\n{} through {}; {}; commit {}. Errors are those of the displayed frame in linear light against a "
-        "ray-traced "
-        "reference; \"disagree\" counts camera samples whose lit differs from the oracle's. "
-        "[manifest.json](manifest.json) holds every setting, "
-        "[accuracy.csv](accuracy.csv) every figure.\n\n",
-        manifest.commandLine, manifest.device.renderer, manifest.backEnd, manifest.processor, manifest.commit);
-    for (const std::string& scene : scenesOf(rows)) {
-        const std::string name = fileName(scene);
-        const SweepRow* varied = variedRow(rows, scene);
-        if (varied != nullptr)
-            text += fmt::format(
-                "## {0} against {1}\n\n![time against {1}]({2}-time.png)\n\n![memory against {1}]({2}-memory.png)\n\n"
-                "![disagreement against {1}]({2}-disagreement.png)\n\n",
-                scene, varied->point.varied, name);
-        else
-            text += fmt::format(
-                "## {}\n\n![error against milliseconds]({}-error.png)\n\n![disagreement against "
-                "milliseconds]({}-disagreement.png)\n\n",
-                scene, name, name);
-        text += reportTable(rows, scene) + "\n" + statisticLines(rows, scene);
-        if (varied != nullptr) continue;
-        std::set<std::string> seen;
-        for (const SweepRow& row : rows)
-            if (row.point.scene == scene && seen.insert(row.point.technique).second)
-                text += floorLine(rows, scene, row.point.technique);
-        text += "\n";
-    }
+            "Ratios between rows, which were measured in turn, are what to read.\n\n";
+    text += fmt::format("    {}\n\n{} through {}; {}; commit {}. ", manifest.commandLine, manifest.device.renderer,
+                        manifest.backEnd, manifest.processor, manifest.commit);
     text +=
-        "`accumulation` counts renders (8x is 8 renders of one sample per pixel each). `embree` traces the same camera "
-        "samples: `sample` are "
-        "its primary rays, `build` its acceleration structure, `lookup` its shadow rays, on all threads.\n";
+        "[manifest.json](manifest.json) holds every setting, [accuracy.csv](accuracy.csv) every number.\n\n"
+        "Times are medians with their lowest and highest. Programs are compiled before any frame is timed. A *cold* "
+        "frame has nothing cached; the next one is *filling* the caches; a *steady* one belongs to a sequence that has "
+        "been running. Charts show steady frames, and cold ones of what caches nothing. Errors do not depend on the "
+        "state.\n\n"
+        "Image RMSE is of the displayed frame in linear light against a ray-traced reference. Wrong shadow samples "
+        "are camera samples whose lit value differs from the oracle's.\n\n";
     return text;
+}
+
+std::string sceneSection(const std::vector<SweepRow>& rows, const std::string& scene) {
+    const std::string name = fileName(scene);
+    const SweepRow* varied = variedRow(rows, scene);
+    if (varied != nullptr)
+        return fmt::format(
+                   "## {0} against {1}\n\n![time against {1}]({2}-time.png)\n\n![memory against {1}]({2}-memory.png)"
+                   "\n\n![wrong shadow samples against {1}]({2}-disagreement.png)\n\n",
+                   scene, varied->point.varied, name) +
+               reportTable(rows, scene) + "\n" + statisticLines(rows, scene);
+    std::string text = fmt::format(
+        "## {0}\n\n![error against milliseconds]({1}-error.png)\n\n![wrong shadow samples against "
+        "milliseconds]({1}-disagreement.png)\n\n",
+        scene, name);
+    text += reportTable(rows, scene) + "\n" + statisticLines(rows, scene);
+    std::set<std::string> seen;
+    for (const SweepRow& row : rows)
+        if (row.point.scene == scene && seen.insert(row.point.technique).second)
+            text += floorLine(rowsOfCharts(rows), scene, row.point.technique);
+    return text + "\n";
+}
+
+/// How to read rows of brute force and of the baseline, where there are any.
+std::string footnotes(const std::vector<SweepRow>& rows) {
+    std::set<std::string> bruteForce;
+    bool baseline = false;
+    for (const SweepRow& row : rows) {
+        if (row.renders > 1) bruteForce.insert("`" + row.point.technique + "`");
+        baseline = baseline || row.point.technique == "embree";
+    }
+    std::string text;
+    if (!bruteForce.empty())
+        text += fmt::format(
+            "{}: the number is that of renders (8x is 8 renders of one sample per pixel each), times are those of all "
+            "renders together.\n",
+            fmt::join(bruteForce, ", "));
+    if (baseline)
+        text +=
+            "`embree` traces the same camera samples on all threads: its camera samples are its primary rays, its "
+            "shadow structure is its hierarchy, its shadow test its shadow rays. It keeps nothing, so every frame of "
+            "it is cold.\n";
+    return text;
+}
+
+std::string report(const SweepManifest& manifest, const std::vector<SweepRow>& rows) {
+    std::string text = preface(manifest);
+    for (const std::string& scene : scenesOf(rows)) text += sceneSection(rows, scene);
+    return text + footnotes(rows);
 }
 
 }  // namespace
 
-Chart sweepChart(const std::vector<SweepRow>& rows, const std::string& scene, ChartOf what, bool softwareRenderer) {
-    Chart chart;
-    chart.title = what == ChartOf::Error ? fmt::format("{}: what accuracy costs", scene)
-                                         : fmt::format("{}: wrong shadow answers against time", scene);
-    chart.subtitle = what == ChartOf::Error ? "one curve per technique, samples per pixel (or renders, x) at the points"
-                                            : "camera samples whose lit differs from the ray-traced truth";
-    chart.xLabel =
-        softwareRenderer ? "milliseconds a frame (software renderer, wall time)" : "milliseconds a frame (GPU)";
-    chart.yLabel = what == ChartOf::Error ? "RMSE against the reference" : "disagreement (ppm)";
-    for (const SweepRow& row : rows) {
-        if (row.point.scene != scene) continue;
-        const std::string name = curveName(rows, row.point);
-        if (chart.series.empty() || chart.series.back().name != name) chart.series.push_back({name, {}});
-        const double y = what == ChartOf::Error ? row.error.rmse : row.verification.ppm();
-        chart.series.back().points.push_back({stepOf(row, "total").median, y, sampleCountLabel(row.point)});
-    }
-    if (what == ChartOf::Error) chart.slopes = {{-0.5, "slope -1/2"}, {-1.0, "slope -1"}};
-    chart.drawParetoFront = true;
-    return chart;
-}
-
-Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, VariedChartOf what,
-                  bool softwareRenderer) {
-    Chart chart;
-    const SweepRow* varied = variedRow(rows, scene);
-    if (varied == nullptr) return chart;
-    const std::string key = varied->point.varied;
-    std::set<int> sampleCounts;
-    for (const SweepRow& row : rows)
-        if (row.point.scene == scene) sampleCounts.insert(row.point.sampleCount);
-    const std::string samples =
-        sampleCounts.size() == 1 ? fmt::format(", {} samples per pixel", *sampleCounts.begin()) : "";
-    const char* noun = what == VariedChartOf::Time     ? "time"
-                       : what == VariedChartOf::Memory ? "memory"
-                                                       : "wrong shadow answers";
-    chart.title = fmt::format("{}: {} against {}", scene, noun, key);
-    chart.subtitle = what == VariedChartOf::Time ? "building and lookup of the technique, medians" + samples
-                     : what == VariedChartOf::Memory
-                         ? "what the technique itself holds" + samples
-                         : "camera samples whose lit differs from the ray-traced truth" + samples;
-    chart.xLabel = key;
-    chart.yLabel = what == VariedChartOf::Time
-                       ? (softwareRenderer ? "milliseconds (software renderer, wall time)" : "milliseconds (GPU)")
-                   : what == VariedChartOf::Memory ? "MiB"
-                                                   : "disagreement (ppm)";
-    for (const SweepRow& row : rows) {
-        if (row.point.scene != scene) continue;
-        if (what == VariedChartOf::Memory && row.point.technique == "embree") continue;  // it holds none on the device
-        const std::string name = curveName(rows, row.point) +
-                                 (sampleCounts.size() > 1 ? fmt::format(", {} spp", row.point.sampleCount) : "");
-        auto series = std::find_if(chart.series.begin(), chart.series.end(),
-                                   [&](const ChartSeries& s) { return s.name == name; });
-        if (series == chart.series.end()) series = chart.series.insert(series, {name, {}});
-        const double y = what == VariedChartOf::Time     ? stepOf(row, "build").median + stepOf(row, "lookup").median
-                         : what == VariedChartOf::Memory ? static_cast<double>(row.techniqueBytes) / 1048576.0
-                                                         : row.verification.ppm();
-        series->points.push_back({row.point.variedValue, y, ""});
-    }
-    return chart;
-}
-
 std::string sweepCsv(const std::vector<SweepRow>& rows) {
-    std::string text = "scene,technique,spp,map";
-    for (const std::string& step : steps) text += fmt::format(",{}_ms,{}_ms_low,{}_ms_high", step, step, step);
+    std::string text = "scene,technique,spp,map,state,renders";
+    for (const std::string& step : frameSteps) text += fmt::format(",{}_ms,{}_ms_low,{}_ms_high", step, step, step);
     text +=
         ",rmse,relative_mse,psnr,mean_absolute,p999,off_by_30,bias,noise,mean_error,samples,tested,shadowed,disagree,"
         "false_shadow,false_lit,marginal,ppm,"
@@ -269,9 +193,9 @@ std::string sweepCsv(const std::vector<SweepRow>& rows) {
     for (const std::string& part : parts) text += fmt::format(",{}_ms,{}_ms_low,{}_ms_high", part, part, part);
     text += "\n";
     for (const SweepRow& row : rows) {
-        text +=
-            fmt::format("{},{},{},{}", row.point.scene, row.point.technique, row.point.sampleCount, row.point.mapSize);
-        for (const std::string& step : steps) {
+        text += fmt::format("{},{},{},{},{},{}", row.point.scene, row.point.technique, row.point.sampleCount,
+                            row.point.mapSize, nameOf(row.state), row.renders);
+        for (const std::string& step : frameSteps) {
             const Timing timing = stepOf(row, step);
             text += fmt::format(",{},{},{}", timing.median, timing.low, timing.high);
         }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "chart/chart.h"
 #include "measure/sweep.h"
 
 namespace timeshade {
@@ -27,17 +26,6 @@ struct SweepManifest {
 /// is whole or not there.
 void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& manifest,
                       const std::vector<SweepRow>& rows);
-
-/// The charts, for the window and for tests: error or disagreement of one scene against milliseconds of the whole
-/// frame.
-enum class ChartOf { Error, Disagreement };
-Chart sweepChart(const std::vector<SweepRow>& rows, const std::string& scene, ChartOf what, bool softwareRenderer);
-
-/// The charts of a scene of which a setting was varied: one curve per technique, map and samples per pixel, against the
-/// setting.
-enum class VariedChartOf { Time, Memory, Disagreement };
-Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, VariedChartOf what,
-                  bool softwareRenderer);
 
 /// The table that accuracy.csv holds, one line per row and a header.
 std::string sweepCsv(const std::vector<SweepRow>& rows);

@@ -8,17 +8,31 @@ from program import COMPUTED, CONTEXTS, PROGRAM, QUICK, SCENES, TECHNIQUES, Pict
 
 
 class Convergence(ProgramTest):
-    def test_a_history_is_measured_frame_by_frame(self):
-        self.succeed("measure", "frusta", "--history-frames", "1,4", "--size", "64x48", "--map", "64", "--spp", "1", "--shutter", "0", "-o", "F")
+    PUBLISHED = "history:as_published=on:jitter=2:fit=0:bias=0.5"
+    COMMON = ("--size", "64x48", "--map", "64", "--spp", "1", "--shutter", "0", "-o", "F")
+
+    def wrong_pixels(self):
+        """Percent of wrong pixels by curve and number of frames."""
         rows = [line.rsplit(",", 2) for line in (self.folder / "F/frusta.csv").read_text().splitlines()[1:]]
-        wrong = {(name.strip('"'), int(frames)): float(percent) for name, frames, percent in rows}
-        self.assertEqual(len(wrong), 2 * 11)
-        self.assertLess(wrong["repaired", 4], wrong["repaired", 1])
-        self.assertLess(wrong["repaired", 4], wrong["as published, m from 3 to 15", 4])
-        self.assertNotEqual(wrong["repaired, after motion", 1], wrong["repaired", 1])
+        return {(name.strip('"'), int(frames)): float(percent) for name, frames, percent in rows}
+
+    def test_variants_are_measured_frame_by_frame(self):
+        self.succeed("measure", "frusta", "--convergence", "1,4", "--techniques", f"{self.PUBLISHED},history", *self.COMMON)
+        wrong = self.wrong_pixels()
+        self.assertEqual(len(wrong), 2 * 4)
+        self.assertLess(wrong["history", 4], wrong["history", 1])
+        self.assertLess(wrong["history", 4], wrong[self.PUBLISHED, 4])
+        self.assertNotEqual(wrong["history, after motion", 1], wrong["history", 1])
         strip = Picture((self.folder / "F/frusta-strip.png").read_bytes())
         self.assertEqual((strip.width, strip.height), (2 * (2 * 48 + 1) - 1, 2 * (2 * 48 + 1) - 1))
         self.assertIn("frusta.png", (self.folder / "F/report.md").read_text())
+
+    def test_by_default_all_that_converge(self):
+        self.succeed("measure", "frusta", "--history-frames", "1,2", *self.COMMON)
+        self.assertEqual({name for name, _ in self.wrong_pixels()}, {"history", "history, after motion"})
+
+    def test_what_is_drawn_once_is_refused(self):
+        self.refuse(2, ("--convergence", "tsm", "history"), "measure", "frusta", "--convergence", "1", "--techniques", "tsm", "-o", "F")
 
 
 class Lists(ProgramTest):

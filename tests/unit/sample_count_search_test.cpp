@@ -1,4 +1,4 @@
-// The search for an equal: right effort, few measurements, and a plain word where there is none.
+// The search for an equal: the right sample count, few measurements, and a plain word where there is none.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -19,7 +19,7 @@ std::vector<int> samples() {
 int run(SampleCountSearch& search, const std::function<double(int)>& value) {
     int measurements = 0;
     while (const auto sampleCount = search.next()) {
-        search.answer(value(*sampleCount));
+        search.measured(value(*sampleCount));
         if (++measurements > 100) ADD_FAILURE() << "the search does not end";
         if (measurements > 100) break;
     }

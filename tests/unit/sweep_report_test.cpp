@@ -10,6 +10,7 @@
 
 #include "chart/chart_layout.h"
 #include "core/error.h"
+#include "measure/sweep_charts.h"
 #include "measure/sweep_journal.h"
 #include "measure/sweep_report.h"
 #include "measure/technique_variant.h"
@@ -23,6 +24,7 @@ SweepRow makeRow(const std::string& technique, int sampleCount, double milliseco
     row.point = {"chess", technique, sampleCount, 512, "", 0.0};
     row.steps["total"] = {milliseconds, milliseconds - 1.0, milliseconds + 1.0};
     row.steps["build"] = {milliseconds / 3.0, 0.1, 7.0};
+    row.renders = technique == "accumulation" ? 64 : 1;
     row.error.rmse = rmse;
     row.error.psnr = 40.0;
     row.error.offBy30 = 0.0125;
@@ -37,6 +39,18 @@ SweepRow makeRow(const std::string& technique, int sampleCount, double milliseco
 std::vector<SweepRow> makeRows() {
     return {makeRow("static", 1, 10.25, 0.1, 40000), makeRow("static", 4, 41.5, 0.05, 40100),
             makeRow("tsm", 1, 31.0 / 3.0, 0.2, 9000), makeRow("tsm", 4, 123.456789012345, 0.0123456789, 7000)};
+}
+
+/// Each row twice, as measure has them: cold, which takes longer, then steady.
+std::vector<SweepRow> inBothStates(const std::vector<SweepRow>& steady) {
+    std::vector<SweepRow> rows;
+    for (const SweepRow& row : steady) {
+        rows.push_back(row);
+        rows.back().state = FrameState::Cold;
+        for (auto& [name, timing] : rows.back().steps) timing.median *= 2.0;
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 std::vector<std::vector<std::string>> tableOf(const std::string& csv) {
@@ -87,6 +101,38 @@ TEST(SweepReport, TheChartsPointsAreTheTablesNumbers) {
     }
 }
 
+TEST(SweepReport, ChartsShowSteadyFrames) {
+    std::vector<SweepRow> rows = inBothStates(makeRows());
+    SweepRow baseline = makeRow("embree", 1, 5.0, 0.1, 0);
+    baseline.state = FrameState::Cold;
+    rows.push_back(baseline);
+    const Chart chart = sweepChart(rows, "chess", ChartOf::Error, true);
+    ASSERT_EQ(chart.series.size(), 3u);
+    ASSERT_EQ(chart.series[0].points.size(), 2u) << "one a point, not one a row";
+    EXPECT_EQ(chart.series[0].points[0].x, 10.25);
+    ASSERT_EQ(chart.series[2].points.size(), 1u) << "what keeps nothing is cold in every frame";
+    EXPECT_EQ(chart.series[2].points[0].x, 5.0);
+}
+
+TEST(SweepReport, RowsNameTheirState) {
+    const std::vector<SweepRow> rows = inBothStates(makeRows());
+    const auto table = tableOf(sweepCsv(rows));
+    ASSERT_EQ(table.size(), rows.size() + 1);
+    EXPECT_EQ(table[1][columnOf(table[0], "state")], "cold");
+    EXPECT_EQ(table[2][columnOf(table[0], "state")], "steady");
+    const Folder folder;
+    writeSweepReport(folder.path, {}, rows);
+    std::ifstream report(folder.path / "report.md");
+    const std::string text{std::istreambuf_iterator<char>(report), {}};
+    EXPECT_NE(text.find("| static | 1 | 512 | cold |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| static | 1 | 512 | steady |"), std::string::npos) << text;
+}
+
+TEST(SweepReport, BruteForceIsLabelledWithItsRenders) {
+    const std::vector<SweepRow> rows{makeRow("accumulation", 8, 100.0, 0.01, 5)};
+    EXPECT_EQ(sweepChart(rows, "chess", ChartOf::Error, true).series.at(0).points.at(0).label, "64x");
+}
+
 TEST(SweepReport, EveryLineHasAllColumns) {
     const auto table = tableOf(sweepCsv(makeRows()));
     for (const auto& line : table) EXPECT_EQ(line.size(), table[0].size());
@@ -106,7 +152,7 @@ TEST(SweepReport, FilesAreWrittenWithTheirManifest) {
     const std::string text{std::istreambuf_iterator<char>(report), {}};
     EXPECT_NE(text.find("Software renderer"), std::string::npos);
     EXPECT_NE(text.find("0123456789ab"), std::string::npos);
-    EXPECT_NE(text.find("| tsm | 4 | 512 |"), std::string::npos);
+    EXPECT_NE(text.find("| tsm | 4 | 512 | steady |"), std::string::npos);
 }
 
 /// Two values of a varied setting, a technique and a variant of it, one of them with a part of a step and a figure.
@@ -154,8 +200,9 @@ TEST(SweepReport, PartsAndVariedValuesHaveColumns) {
         EXPECT_TRUE(std::filesystem::exists(folder.path / name)) << name;
     std::ifstream report(folder.path / "report.md");
     const std::string text{std::istreambuf_iterator<char>(report), {}};
-    for (const char* part : {"| technique | cubes.count | spp |", "| build/collect |", "| tsm | 2000 | 8 | 512 |",
-                             "odd lists 3 texels (near plane)", "entries 10001000"})
+    for (const char* part :
+         {"| technique | cubes.count | spp |", "| build/collect |", "| tsm | 2000 | 8 | 512 | steady |",
+          "lists with unpaired fragments 3 texels (near plane)", "entries 10001000"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
@@ -188,6 +235,19 @@ TEST(SweepJournal, RowsSurviveTheWayThroughJson) {
     }
 }
 
+/// Versions without states timed the second of two draws.
+TEST(SweepJournal, ReadsRowsWithoutAState) {
+    std::string text = rowAsJson(makeRows()[1]);
+    for (const std::string part : {R"("state":"steady",)", R"("renders":1,)"}) {
+        ASSERT_NE(text.find(part), std::string::npos) << text;
+        text.erase(text.find(part), part.size());
+    }
+    const SweepRow row = rowFromJson(text);
+    EXPECT_EQ(row.state, FrameState::Filling);
+    EXPECT_EQ(row.renders, 1);
+    EXPECT_EQ(row.steps.at("total").median, 41.5);
+}
+
 TEST(SweepJournal, GoesOnWhereItWasAndDropsALineThatIsCutOff) {
     const Folder folder;
     const std::filesystem::path path = folder.path / "rows.jsonl";
@@ -199,11 +259,13 @@ TEST(SweepJournal, GoesOnWhereItWasAndDropsALineThatIsCutOff) {
     }
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 5);
     SweepJournal again(path, "experiment A");
-    ASSERT_NE(again.find(rows[0].point), nullptr);
-    EXPECT_EQ(rowAsJson(*again.find(rows[0].point)), rowAsJson(rows[0]));
-    EXPECT_EQ(again.find(rows[1].point), nullptr);
+    ASSERT_NE(again.find(rows[0].point, FrameState::Steady), nullptr);
+    EXPECT_EQ(rowAsJson(*again.find(rows[0].point, FrameState::Steady)), rowAsJson(rows[0]));
+    EXPECT_EQ(again.find(rows[1].point, FrameState::Steady), nullptr);
+    EXPECT_EQ(again.find(rows[0].point, FrameState::Cold), nullptr) << "one state does not stand for another";
     const SweepJournal other(path, "experiment B");
-    EXPECT_EQ(other.find(rows[0].point), nullptr) << "rows of another experiment are not those of this one";
+    EXPECT_EQ(other.find(rows[0].point, FrameState::Steady), nullptr)
+        << "rows of another experiment are not those of this one";
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+#include "measure/frame_clock.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "frame/warm_up.h"
+
+namespace timeshade {
+
+namespace {
+
+/// Programs of other techniques may have taken the places of this one's: these are compiled in a first attempt.
+constexpr int attempts = 3;
+
+}  // namespace
+
+std::string nameOf(FrameState state) {
+    switch (state) {
+    case FrameState::Cold: return "cold";
+    case FrameState::Filling: return "filling";
+    case FrameState::Steady: break;
+    }
+    return "steady";
+}
+
+std::optional<FrameState> frameStateNamed(const std::string& name) {
+    for (const FrameState state : {FrameState::Cold, FrameState::Filling, FrameState::Steady})
+        if (nameOf(state) == name) return state;
+    return std::nullopt;
+}
+
+std::map<std::string, double> stepsOf(const std::vector<gl::PassTimer::Reading>& readings) {
+    std::map<std::string, double> steps;
+    for (const gl::PassTimer::Reading& reading : readings) steps[reading.name] = reading.milliseconds;
+    steps["total"] = gl::totalOf(readings);
+    return steps;
+}
+
+void FrameClock::warmUp(Technique& technique, const FrameRequest& request) {
+    drawVariants(renderer_, planner_, technique, request, view_, techniqueView_);
+}
+
+std::vector<ClockedFrame> FrameClock::time(Technique& technique, const FrameRequest& request, int steadyFrames) {
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        compiled_ = false;
+        std::vector<ClockedFrame> frames = timeOnce(technique, request, steadyFrames);
+        if (!compiled_) return frames;
+        warmUp(technique, request);
+    }
+    throw Error(fmt::format("technique {}: programs were compiled in timed frames, {} times in a row; expected none",
+                            technique.description().name, attempts));
+}
+
+std::vector<ClockedFrame> FrameClock::timeOnce(Technique& technique, const FrameRequest& request, int steadyFrames) {
+    std::vector<ClockedFrame> frames;
+    emptyCaches(renderer_, planner_, technique, request, view_);
+    frames.push_back(draw(technique, request, request.frame, FrameState::Cold));
+    if (warmUpCount(technique) == 0) {
+        if (technique.renders() == 1)
+            frames.push_back(draw(technique, request, request.frame - steadyFrames, FrameState::Filling));
+        for (int before = steadyFrames - 1; before >= 0; --before)
+            frames.push_back(draw(technique, request, request.frame - before, FrameState::Steady));
+        return frames;
+    }
+    technique.forget();
+    std::vector<ClockedFrame> sequence;
+    for (int before = technique.warmUpFrames(); before > 0; --before)
+        sequence.push_back(draw(technique, request, request.frame - before, FrameState::Steady));
+    for (int drawn = 0; drawn <= technique.heldFrames(); ++drawn)
+        sequence.push_back(draw(technique, request, request.frame, FrameState::Steady));
+    const auto counted = std::min<std::ptrdiff_t>(steadyFrames, static_cast<std::ptrdiff_t>(sequence.size()));
+    frames.insert(frames.end(), sequence.end() - counted, sequence.end());
+    return frames;
+}
+
+ClockedFrame FrameClock::draw(Technique& technique, FrameRequest request, double frame, FrameState state) {
+    request.frame = frame;
+    FramePlan plan = planner_.plan(request);
+    const std::uint64_t before = renderer_.programs().compiled();
+    renderer_.draw(std::move(plan), technique, view_, techniqueView_);
+    compiled_ = compiled_ || renderer_.programs().compiled() != before;
+    return {state, renderer_.timer().finishFrame()};
+}
+
+}  // namespace timeshade

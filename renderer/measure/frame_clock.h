@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/frame_renderer.h"
+
+namespace timeshade {
+
+/// What earlier frames have left for a timed one to use. Its programs are compiled in any case.
+enum class FrameState {
+    Cold,     ///< nothing is cached: the first frame of a sequence, or one after a cut
+    Filling,  ///< the second frame: caches fill, which costs more than either using them or having none
+    Steady,   ///< a frame of a sequence that has been running
+};
+
+/// "cold", "filling", "steady"; and back, nothing for any other word.
+std::string nameOf(FrameState state);
+std::optional<FrameState> frameStateNamed(const std::string& name);
+
+struct ClockedFrame {
+    FrameState state = FrameState::Steady;
+    std::vector<gl::PassTimer::Reading> readings;
+};
+
+/// The readings by name, parts ("build/collect") too, and their sum without the parts as "total". Milliseconds.
+std::map<std::string, double> stepsOf(const std::vector<gl::PassTimer::Reading>& readings);
+
+/// Times frames of one scene in the states that are named above. No timed frame compiles a program: where one did, the
+/// technique is warmed up and all of them are drawn and timed again.
+class FrameClock {
+  public:
+    /// `techniqueView`: one of the technique's own instead of `view`, or empty.
+    FrameClock(FrameRenderer& renderer, FramePlanner& planner, View view, std::string techniqueView = {})
+        : renderer_(renderer), planner_(planner), view_(view), techniqueView_(std::move(techniqueView)) {}
+
+    /// To be called once for every technique, size and sample count, before its first frame is timed: compiles.
+    void warmUp(Technique& technique, const FrameRequest& request);
+
+    /// Times the requested frame with nothing cached (Cold), then the frame before the steady ones (Filling), then
+    /// `steadyFrames` frames of which the requested one is the last (Steady). A technique with a history is warmed up
+    /// as it says before its steady frames, has no Filling frame, and at most as many steady ones as it draws frames
+    /// for its warm-up, and one. Brute force fills and uses its caches within every frame: no Filling frame either.
+    /// Afterwards the renderer holds the requested frame, as any other command would draw it.
+    std::vector<ClockedFrame> time(Technique& technique, const FrameRequest& request, int steadyFrames);
+
+  private:
+    std::vector<ClockedFrame> timeOnce(Technique& technique, const FrameRequest& request, int steadyFrames);
+    ClockedFrame draw(Technique& technique, FrameRequest request, double frame, FrameState state);
+
+    FrameRenderer& renderer_;
+    FramePlanner& planner_;
+    View view_;
+    std::string techniqueView_;
+    bool compiled_ = false;  ///< a timed frame did
+};
+
+}  // namespace timeshade
