@@ -79,13 +79,13 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
     programs_.keepNewest(programsKept);
     plan_ = std::move(plan);
     technique_ = &technique;
-    forgetPast(technique);
     techniqueView_ = std::move(own);
     view_ = view;
     renders_ = technique.renders();
     done_ = 0;
     settings_.set(technique);
     resize(plan_->request.width, plan_->request.height, renders_ > 1 ? 1 : plan_->request.samplesPerPixel);
+    forgetPast(technique);  // after what may have invalidated everything
     if (techniqueView_ &&
         (!values_ || values_->width() != radiance_->width() || values_->height() != radiance_->height()))
         values_ = gl::Texture::image2D("view values", GL_R32F, radiance_->width(), radiance_->height());
