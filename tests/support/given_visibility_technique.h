@@ -20,7 +20,8 @@ class GivenVisibilityTechnique final : public Technique {
     GivenVisibilityTechnique(Footprint footprint, Values values) : footprint_(footprint), values_(std::move(values)) {}
 
     const TechniqueDescription& description() const override {
-        static const TechniqueDescription description{"given", "Given", "Values from a function.", "a test"};
+        static const TechniqueDescription description{
+            "given", "Given", "Given", "Values from a function.", "a test", {}, {}, {}, {}};
         return description;
     }
     void visitSettings(SettingsVisitor&) override {}
@@ -28,7 +29,9 @@ class GivenVisibilityTechnique final : public Technique {
     Footprint footprint() const override { return footprint_; }
     std::vector<PassDecision> passes(const FramePlan&) const override { return {}; }
     void build(const TechniqueFrame&) override {}
-    void lookup(const TechniqueFrame& frame) override {
+    LookupProgram lookupProgram(const TechniqueFrame&, Casters) override { return {}; }
+    bool hasOwnLookup() const override { return true; }
+    void drawLookup(const TechniqueFrame& frame) override {
         const gl::Texture& ids = frame.samples.ids();
         std::vector<std::uint32_t> triangles(ids.bytes() / sizeof(std::uint32_t));
         glGetTextureImage(ids.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(ids.bytes()),
@@ -39,7 +42,6 @@ class GivenVisibilityTechnique final : public Technique {
         glTextureSubImage3D(visibility.name(), 0, 0, 0, 0, visibility.width(), visibility.height(), visibility.layers(),
                             GL_RED, GL_FLOAT, lit.data());
     }
-    std::vector<const gl::Texture*> textures() const override { return {}; }
     std::size_t bytes() const override { return 0; }
 
   private:
