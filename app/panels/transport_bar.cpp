@@ -5,6 +5,7 @@
 
 #include "panels/panels.h"
 #include "panels/theme.h"
+#include "window/milliseconds.h"
 
 namespace timeshade {
 
@@ -67,7 +68,7 @@ std::string statusOf(const Session& session) {
     const FrameRequest& drawn = session.renderer.plan().request;
     const int samples = session.renderer.renders() > 1 ? session.renderer.renders() : drawn.samplesPerPixel;
     const FrameTimes& times = session.driver.times();
-    const std::string cost = times.frames() > 0 ? fmt::format(", {:.4g} ms", times.medianTotal()) : "";
+    const std::string cost = times.frames() > 0 ? ", " + inMilliseconds(times.medianTotal()) : "";
     const char* unit = session.renderer.renders() > 1 ? "renders" : "spp";
     const std::string size =
         fmt::format("{} x {}, {} {}, map {}", drawn.width, drawn.height, samples, unit, drawn.mapSize);

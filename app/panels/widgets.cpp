@@ -189,12 +189,18 @@ std::optional<std::size_t> Widgets::choice(const std::string& id, const std::vec
     std::optional<std::size_t> chosen;
     const float gap = 2.0f * scale_;
     const float count = static_cast<float>(entries.size());
-    const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1.0f)) / count;
+    // Longer words get wider buttons: what is left of the row is shared evenly.
+    const auto wanted = [](const std::string& text) {
+        return ImGui::CalcTextSize(text.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    };
+    float left = ImGui::GetContentRegionAvail().x - gap * (count - 1.0f);
+    for (const std::string& entry : entries) left -= wanted(entry);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (i > 0) ImGui::SameLine(0.0f, gap);
         const bool down = i == current;
         if (down) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.23f, 0.38f, 0.53f, 1.0f));
-        if (ImGui::Button((entries[i] + "##" + id).c_str(), {std::max(width, 1.0f), 0.0f})) chosen = i;
+        if (ImGui::Button((entries[i] + "##" + id).c_str(), {std::max(wanted(entries[i]) + left / count, 1.0f), 0.0f}))
+            chosen = i;
         if (down) ImGui::PopStyleColor();
         dump_.lastItem(id + "/" + (ids.empty() ? entries : ids)[i], down);
     }

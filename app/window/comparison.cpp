@@ -11,6 +11,7 @@
 #include "options_text.h"
 #include "report.h"
 #include "window/display_texture.h"
+#include "window/milliseconds.h"
 #include "window/session.h"
 
 namespace timeshade {
@@ -110,7 +111,7 @@ std::string Comparison::label(const Session& session, bool ofSecond) const {
     Technique& technique = ofSecond ? *technique_ : session.technique.current();
     std::string text = sampleCountLabel(variantOf(technique), technique, session.moment.request.samplesPerPixel);
     const FrameTimes* times = !ofSecond ? &session.driver.times() : driver_ ? &driver_->times() : nullptr;
-    if (times != nullptr && times->frames() > 0) text += fmt::format(", {:.4g} ms", times->medianTotal());
+    if (times != nullptr && times->frames() > 0) text += ", " + inMilliseconds(times->medianTotal());
     const ProbeSubject subject = subjectOfTechnique(technique, session.moment.request);
     for (const ProbePoint& point : points_)
         if (point.subject == subject) text += fmt::format(", RMSE {:.3g}", point.rmse);
