@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "panels/panels.h"
-#include "panels/technique_pages.h"
 #include "panels/theme.h"
 
 namespace timeshade {
@@ -81,7 +80,6 @@ void drawPagePicture(Session& session, Widgets& widgets, const Area& picture, fl
 
 void drawPage(Session& session, Widgets& widgets, const Area& picture) {
     const TechniqueDescription& technique = session.technique.current().description();
-    const TechniquePage page = pageOf(technique.name);
     const float width = 460.0f * widgets.scale();
     beginBox("page", picture, {0.5f, 0.5f}, width, ImGui::GetStyle().Colors[ImGuiCol_Border]);
     const auto paragraph = [](const char* heading, const std::string& text) {
@@ -92,9 +90,13 @@ void drawPage(Session& session, Widgets& widgets, const Area& picture) {
     };
     paragraph(technique.title.c_str(), technique.summary);
     paragraph("From", technique.source);
-    paragraph("What it gets wrong", page.wrong);
-    drawPagePicture(session, widgets, picture, width, page.shown);
-    paragraph("Look at", page.look);
+    paragraph("What it gets wrong", technique.wrong);
+    drawPagePicture(session, widgets, picture, width, technique.picture);
+    paragraph("Look at", technique.look);
+    std::string references;
+    for (const std::string& reference : technique.references)
+        references += (references.empty() ? "" : "\n") + reference;
+    paragraph("References", references);
     widgets.dump().lastItem("page", technique.name);
     if (widgets.button("page.close", "Close")) session.panels.pageVisible = false;
     endBox();

@@ -8,7 +8,7 @@
 
 namespace timeshade {
 
-/// The pictures of the technique pages, assets/pages/NAME.png, read when they are first asked for.
+/// The pictures of the technique pages, renderer/techniques/NAME/page.png, read when they are first asked for.
 class PagePictures {
   public:
     /// Its first row is the uppermost. Null where there is none that can be read.

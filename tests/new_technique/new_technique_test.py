@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A technique made by scripts/new_technique.py costs two folders and one line, and passes the tests of techniques as it is."""
+"""A technique made by scripts/new_technique.py costs two folders and one line, and passes the tests as it is."""
 import json
 import os
 import re
@@ -17,7 +17,8 @@ BUILD = Path(os.environ["TIMESHADE_BUILD"])
 def run(*command, **options):
     done = subprocess.run(command, capture_output=True, text=True, **options)
     if done.returncode != 0:
-        raise AssertionError(f"{shlex.join(map(str, command))}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
+        words = shlex.join(map(str, command))
+        raise AssertionError(f"{words}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout
 
 
@@ -50,8 +51,9 @@ class NewTechnique(unittest.TestCase):
         registry = str(ROOT / "renderer" / "techniques" / "registry.cpp")
         entries = json.loads((BUILD / "compile_commands.json").read_text())
         entry = next(e for e in entries if e["file"] == registry)
-        flags = re.sub(r" -o \S+ -c \S+$", "", entry["command"]).replace(str(ROOT / "renderer"), str(cls.copy / "renderer"))
-        flags = flags.replace(str(ROOT / "shaders"), str(cls.copy / "shaders"))
+        flags = re.sub(r" -o \S+ -c \S+$", "", entry["command"])
+        for folder in ("renderer", "shaders"):
+            flags = flags.replace(str(ROOT / folder), str(cls.copy / folder))
         objects = []
         for source in ("registry.cpp", "plain/plain_shadow.cpp"):
             out = cls.work / (source.replace("/", "_") + ".o")

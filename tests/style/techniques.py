@@ -31,6 +31,8 @@ ABOUT = {
     "tests/parity/sample_pass_test.cpp": ("static",),
     "tests/parity/shader_variants_test.cpp": ("exact", "tsm"),
     "tests/parity/technique_views_test.cpp": ("ranges",),
+    "tests/new_technique/new_technique_test.py": ("static",),  # draws the same
+    "tests/technique/reload_test.cpp": ("exact",),  # changes its shader
     "tests/technique/acne_test.cpp": ("ranges", "temporal", "tsm"),
     "tests/technique/closed_form_test.cpp": ("accumulation", "history", "tsm"),
     "tests/technique/history_converged_test.cpp": ("static",),
@@ -52,7 +54,7 @@ ABOUT = {
     "tests/unit/options_text_test.cpp": ("ranges", "tsm"),
     "tests/unit/settings_test.cpp": ("accumulation", "tsm"),
     "tests/unit/sweep_report_test.cpp": ("static", "tsm"),
-    "tests/verify/commands_test.py": ("static", "tsm"),
+    "tests/verify/commands_test.py": ("accumulation", "history", "static", "tsm"),
     "tests/verify/dump_test.py": ("tsm",),
     "tests/verify/readme_test.py": ("accumulation",),
     "tests/window/desk.py": ("accumulation",),

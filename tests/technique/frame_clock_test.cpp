@@ -76,7 +76,7 @@ std::vector<std::string> names() {
     return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Clocks, testing::ValuesIn(names()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, Clocks, testing::ValuesIn(names()), [](const auto& p) { return p.param; });
 
 TEST(FrameClock, TimesAgainWhatWasCompiledInATimedFrame) {
     const std::unique_ptr<Scene> scene = openScene("chess", "");

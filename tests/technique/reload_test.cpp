@@ -1,5 +1,5 @@
-// After a reload of shaders nothing is drawn from what the old ones left behind: the same bytes as a cold start with the
-// new ones, for every technique, with everything at rest and caches filled.
+// After a reload of shaders nothing is drawn from what the old ones left behind: the same bytes as a cold start with
+// the new ones, for every technique, with everything static and caches filled.
 #include <gtest/gtest.h>
 
 #include <unistd.h>

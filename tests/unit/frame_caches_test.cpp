@@ -6,7 +6,7 @@ namespace timeshade {
 namespace {
 
 struct Content {
-    explicit Content(int number) : number(number) {}
+    explicit Content(int value) : number(value) {}
     std::size_t bytes() const { return 100; }
     int number = 0;
 };
