@@ -30,6 +30,11 @@ class Comparison {
         return renderer_ ? renderer_->reloadShaders() : std::vector<std::string>{};
     }
 
+    /// As FrameRenderer::invalidateAll, for the second's frames.
+    void invalidateAll() {
+        if (renderer_) renderer_->invalidateAll();
+    }
+
     /// Draws the second picture, then, when nothing moves, finds the errors, a step at a time. True if the window has
     /// to be drawn again.
     bool update(Session& session, const FrameDriver::Wanted& first);

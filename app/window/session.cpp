@@ -28,13 +28,13 @@ void Session::show(std::unique_ptr<Scene> newScene, const std::string& name) {
     moment.instant = options.instant;
     camera.orbit.reset();
     if (first.cameraPose) camera.orbit.emplace(*first.cameraPose, scene.current().bounds());
-    technique.current().forget();
-    if (comparison.on()) comparison.technique()->forget();
+    invalidateAll();
     recentFiles.add(name);
 }
 
 void Session::rebuildScene() {
     scene.rebuild();
+    invalidateAll();
     moment.playback.setLoop(scene.current().duration(), moment.request.shutter.framesPerSecond);
 }
 
@@ -95,8 +95,12 @@ void Session::reloadShaders() {
         if (std::find(log.begin(), log.end(), complaint) == log.end()) log.push_back(complaint);
     shaders.log = std::move(log);
     ++shaders.number;
-    technique.current().forget();
     if (shaders.log.empty()) notify("Shaders reloaded");
+}
+
+void Session::invalidateAll() {
+    renderer.invalidateAll();
+    comparison.invalidateAll();
 }
 
 void Session::become(const PictureOptions& wanted) {

@@ -37,6 +37,8 @@ struct Session {
     void applyRequests();
     /// Builds all shader programs anew; what is wrong with some of them stands in the shaders' log.
     void reloadShaders();
+    /// The scene is another one: nothing of earlier frames is used again.
+    void invalidateAll();
     /// Shows what the options say, as at a start. Throws and stays as it is where that can't be.
     void become(const PictureOptions& wanted);
     /// Settings of techniques and scenes that are not shown now, where they are not at their defaults.
