@@ -39,6 +39,7 @@ ABOUT = {
     "tests/technique/history_moving_test.cpp": ("static",),
     "tests/technique/metamorphic_test.cpp": ("accumulation", "history"),
     "tests/technique/reference_technique_test.cpp": ("tsm",),
+    "tests/technique/reload_test.cpp": ("exact",),  # changes its build shader
     "tests/technique/two_errors_test.cpp": ("accumulation", "tsm"),
     "tests/verify/mutations_test.py": ("accumulation", "tsm"),  # breaks their shaders
     # settings and names of these techniques as examples: on the command line, in reports, in the window
@@ -48,6 +49,7 @@ ABOUT = {
     "tests/cli/record_test.py": ("accumulation", "exact", "history", "ranges", "static", "temporal", "tsm"),  # the tour
     "tests/cli/refusals_test.py": ("accumulation", "exact", "static", "tsm"),
     "tests/cli/reports_test.py": ("accumulation", "exact", "history", "static", "tsm"),
+    "tests/new_technique/new_technique_test.py": ("static",),
     "tests/soak/soak.cpp": ("accumulation", "static"),
     "tests/unit/chart_test.cpp": ("exact", "tsm"),
     "tests/unit/include_arrows_test.cpp": ("accumulation", "static", "tsm"),
