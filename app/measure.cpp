@@ -116,6 +116,7 @@ int runMeasure(const MeasureOptions& options) {
     sweep.rounds = options.rounds;
     sweep.sequence = options.sequenceFrames;
     sweep.referenceSamples = options.referenceSamples;
+    sweep.referenceRays = options.referenceRays;
     sweep.journal = folder / "rows.jsonl";
     sweep.progress = showProgress;
 

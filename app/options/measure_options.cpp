@@ -53,6 +53,11 @@ CLI::Option* declareSweep(CLI::App& measure, MeasureOptions& options) {
         ->check(numberFrom(1, 1000));
     measure.add_option("--reference", options.referenceSamples, "samples per pixel of the reference")
         ->check(numberFrom(1, 65536));
+    measure
+        .add_option("--reference-rays", options.referenceRays,
+                    "rays per pixel of the converged visibility that shadow errors are measured against (cached "
+                    "between runs; 0: no shadow error)")
+        ->check(CLI::Range(0, 1 << 20));
     return measure
         .add_option("--spps", options.measuredSampleCounts,
                     "samples per pixel to measure, as in 1,2,4,8,16 (with --vary by default that of --spp alone)")

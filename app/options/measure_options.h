@@ -30,6 +30,7 @@ struct MeasureOptions : FrameOptions, TechniqueOptions, CompareOptions, RunOptio
     int sequenceFrames = 0;                 ///< timed as steady ones in a round; 0 for one alone
     int rounds = 3;                         ///< how often each point is timed, each with a seed of its own
     int referenceSamples = 256;             ///< samples per pixel of the reference
+    int referenceRays = 1024;               ///< rays per pixel of the shadow error's reference; 0 for none
 };
 
 }  // namespace timeshade

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "panels/panels.h"
 #include "panels/theme.h"
+#include "report.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -18,14 +19,12 @@ constexpr double chartScale = 0.8;
 
 std::string progressOf(const Accuracy& accuracy) {
     switch (accuracy.state()) {
-    case Accuracy::State::Waiting: return "waiting for the picture to be still";
+    case Accuracy::State::Waiting: return "Waiting for a still picture";
     case Accuracy::State::Reference:
-        if (const ReferenceBuilder* reference = accuracy.probe().reference())
-            return fmt::format("making the reference: {} of {}", reference->batchesDone(), reference->batches());
-        return "making the reference";
+        return fmt::format("Computing the reference: {:.0f} %", 100.0 * accuracy.probe().referenceProgress());
     case Accuracy::State::Measuring:
-        return accuracy.trying().empty() ? "measuring ..." : fmt::format("trying {} ...", accuracy.trying());
-    case Accuracy::State::Failed: return "can't be measured: " + accuracy.failure();
+        return accuracy.trying().empty() ? "Measuring ..." : fmt::format("Trying {} ...", accuracy.trying());
+    case Accuracy::State::Failed: return "Cannot be measured: " + accuracy.failure();
     case Accuracy::State::Idle: break;
     }
     return "";
@@ -99,11 +98,17 @@ void drawAccuracyPanel(Session& session, Widgets& widgets) {
     Accuracy& accuracy = session.accuracy;
     accuracy.keepOn();
     const ProbePoint* current = accuracy.current();
-    widgets.figure("accuracy.rmse", "error (RMSE)", current != nullptr ? fmt::format("{:.4g}", current->rmse) : "-");
-    widgets.figure("accuracy.ms", "frame", current != nullptr ? fmt::format("{:.4g} ms", current->milliseconds) : "-");
+    const auto number = [&](double value) { return current != nullptr ? fmt::format("{:.4g}", value) : "-"; };
+    widgets.figure("accuracy.shadow", "Shadow error (RMS)", number(current != nullptr ? current->shadowError : 0.0));
+    if (current != nullptr && current->wrongPpm)
+        widgets.figure("accuracy.ppm", "Wrong shadow samples",
+                       inWords({"", std::round(*current->wrongPpm), "ppm", ""}));
+    widgets.figure("accuracy.rmse", "Image RMSE", number(current != nullptr ? current->rmse : 0.0));
+    widgets.figure("accuracy.ms", "Frame", current != nullptr ? fmt::format("{:.4g} ms", current->milliseconds) : "-");
     const std::string progress = progressOf(accuracy);
-    const std::string measured = fmt::format("at {} × {}, against {} samples a pixel", accuracy.probe().width(),
-                                             accuracy.probe().height(), AccuracyProbe::referenceSamples);
+    const std::string measured =
+        fmt::format("At {} × {}, against {} rays per pixel (image: {} samples)", accuracy.probe().width(),
+                    accuracy.probe().height(), AccuracyProbe::referenceRays, AccuracyProbe::referenceSamples);
     widgets.paragraph(progress.empty() ? measured : progress, accuracy.state() == Accuracy::State::Failed ? theme::bad
                                                               : progress.empty()                          ? theme::quiet
                                                                                  : theme::warning);

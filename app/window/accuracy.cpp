@@ -58,8 +58,7 @@ void setSampleCount(ProbeSubject& subject, int sampleCount) {
 }
 
 std::string amount(Accuracy::Level level, double value) {
-    return level == Accuracy::Level::Time ? fmt::format("takes {:.3g} ms", value)
-                                          : fmt::format("errs by {:.3g}", value);
+    return level == Accuracy::Level::Time ? fmt::format("{:.3g} ms", value) : fmt::format("shadow error {:.3g}", value);
 }
 
 }  // namespace
@@ -101,7 +100,7 @@ void Accuracy::match(Session& session, const std::string& technique, Level level
     const bool time = level == Level::Time;
     said_.clear();
     match_ = Match{*of, otherSubject(session, technique), level,
-                   SampleCountSearch(sampleCountsFor(technique), time ? of->milliseconds : of->rmse,
+                   SampleCountSearch(sampleCountsFor(technique), time ? of->milliseconds : of->shadowError,
                                      time ? SampleCountSearch::Value::Rises : SampleCountSearch::Value::Falls)};
 }
 
@@ -112,7 +111,7 @@ std::optional<ProbeSubject> Accuracy::advanceMatch(Session& session) {
         setSampleCount(match_->other, *sampleCount);
         const ProbePoint* known = find(match_->other);
         if (known == nullptr) return match_->other;
-        match_->search.measured(match_->level == Level::Time ? known->milliseconds : known->rmse);
+        match_->search.measured(match_->level == Level::Time ? known->milliseconds : known->shadowError);
     }
     finishMatch(session);
     return std::nullopt;
@@ -124,11 +123,11 @@ void Accuracy::finishMatch(Session& session) {
     const bool time = match.level == Level::Time;
     setSampleCount(match.other, search.sampleCount());
     const std::string other =
-        fmt::format("{} {}", sampleCountInWords(match.other), amount(match.level, search.value()));
-    const std::string current = fmt::format("{} {}", sampleCountInWords(match.of.subject),
-                                            amount(match.level, time ? match.of.milliseconds : match.of.rmse));
+        fmt::format("{} ({})", sampleCountInWords(match.other), amount(match.level, search.value()));
+    const std::string current = fmt::format("{} ({})", sampleCountInWords(match.of.subject),
+                                            amount(match.level, time ? match.of.milliseconds : match.of.shadowError));
     if (search.outcome() == SampleCountSearch::Outcome::Found) {
-        said_ = fmt::format("{}, as {}.", other, current);
+        said_ = fmt::format("{} matches {}.", other, current);
         session.technique.leaveSettings(match.other.technique, match.other.settings);
         session.moment.request.samplesPerPixel = match.other.samplesPerPixel;
         session.requests.technique = match.other.technique;
@@ -136,7 +135,7 @@ void Accuracy::finishMatch(Session& session) {
         session.notify(said_);
         return;
     }
-    said_ = fmt::format("Out of range: even {}, but {}.", other, current);
+    said_ = fmt::format("Out of range: {} comes nearest to {}.", other, current);
     session.notify(said_, true);
 }
 
@@ -161,7 +160,7 @@ bool Accuracy::update(Session& session) {
     state_ = State::Idle;
     if (next) {
         probe_.measure(*next);
-        const bool reference = probe_.reference() == nullptr || !probe_.reference()->complete();
+        const bool reference = !probe_.hasReferences();
         const std::optional<ProbePoint> point = probe_.step();
         state_ = reference ? State::Reference : State::Measuring;
         if (point) {

@@ -4,8 +4,11 @@
 #include <chrono>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "frame/warm_up.h"
 #include "measure/metrics.h"
+#include "report.h"
 #include "techniques/registry.h"
 #include "window/display_texture.h"
 #include "window/frame_times.h"
@@ -25,6 +28,11 @@ double millisecondsSince(Clock::time_point begin) {
 }
 
 }  // namespace
+
+std::string errorInWords(const ProbePoint& point) {
+    if (!point.wrongPpm) return fmt::format("shadow error {:.3g}", point.shadowError);
+    return fmt::format("wrong shadow samples {}", inWords({"", std::round(*point.wrongPpm), "ppm", ""}));
+}
 
 std::unique_ptr<Technique> techniqueOf(const ProbeSubject& subject, gl::ProgramCache& programs) {
     std::unique_ptr<Technique> technique = makeTechnique(subject.technique, programs);
@@ -55,6 +63,7 @@ bool AccuracyProbe::aim(FramePlanner& planner, int scene, const FrameRequest& re
     if (key == key_) return false;
     key_ = std::move(key);
     request_ = small;
+    visibility_.reset();
     reference_.reset();
     subject_.reset();
     failure_.clear();
@@ -75,6 +84,13 @@ std::optional<ProbePoint> AccuracyProbe::step() {
     if (!subject_ || !failure_.empty()) return std::nullopt;
     try {
         if (!renderer_) renderer_.emplace();
+        if (!visibility_)
+            visibility_ = std::make_unique<ReferenceVisibilityBuilder>(
+                planFor(maximumSamplesPerPixel, request_.mapSize), referenceRays, cache_);
+        if (!visibility_->complete()) {
+            visibility_->step();
+            return std::nullopt;
+        }
         if (!reference_) {
             ReferenceOptions options;
             options.samplesPerPixel = referenceSamples;
@@ -104,6 +120,31 @@ void AccuracyProbe::beginSubject() {
     // So that every draw that counts finds its programs compiled and its caches filled.
     drawVariants(*renderer_, *planner_, *technique_, plan_->request, View::Final);
     drawWarmUp(*renderer_, *planner_, *technique_, plan_->request, View::Final);
+    oracle_ = std::make_unique<Oracle>(*plan_);
+    means_.emplace(static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height));
+    tested_ = wrong_ = 0;
+}
+
+/// Adds the lit values of the render just drawn to the pixels' means.
+void AccuracyProbe::compareRender() {
+    const int renders = renderer_->renders();
+    const FramePlan drawn = renders > 1 ? planAtInstant(*plan_, renderer_->rendersDone() - 1, renders) : *plan_;
+    const std::vector<OracleAnswer> truth = oracle_->answer(drawn, renderer_->readSampleIds());
+    const std::vector<float> lit = renderer_->readVisibility();
+    const auto pixels = static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height);
+    for (std::size_t i = 0; i < lit.size(); ++i) {
+        if (!truth[i].hit || !truth[i].tested) continue;
+        means_->add(i % pixels, static_cast<double>(lit[i]));
+        ++tested_;
+        wrong_ += (lit[i] >= 0.5f) != truth[i].lit ? 1u : 0u;
+    }
+}
+
+double AccuracyProbe::referenceProgress() const {
+    // The visibility takes about as long as the image.
+    const double rows = visibility_ ? static_cast<double>(visibility_->rowsDone()) / visibility_->rows() : 0.0;
+    const double batches = reference_ ? static_cast<double>(reference_->batchesDone()) / reference_->batches() : 0.0;
+    return 0.5 * (rows + batches);
 }
 
 std::optional<ProbePoint> AccuracyProbe::draw() {
@@ -117,6 +158,7 @@ std::optional<ProbePoint> AccuracyProbe::draw() {
     while (!renderer_->complete() && millisecondsSince(begin) < budgetMilliseconds) {
         renderer_->step();
         milliseconds_ += gl::totalOf(renderer_->timer().finishFrame());
+        if (times_.empty()) compareRender();
     }
     if (!renderer_->complete()) return std::nullopt;
     drawing_ = false;
@@ -125,7 +167,14 @@ std::optional<ProbePoint> AccuracyProbe::draw() {
     // Brute force takes long enough for one to do.
     if (times_.size() < (renderer_->renders() > 1 ? 1 : countedDraws)) return std::nullopt;
     std::sort(times_.begin(), times_.end());
-    const ProbePoint point{*subject_, times_[times_.size() / 2], compareImages(image_, reference_->image()).rmse};
+    ProbePoint point;
+    point.subject = *subject_;
+    point.milliseconds = times_[times_.size() / 2];
+    point.shadowError = means_->against(*visibility_->result()).error.rms;
+    if (technique_->footprint().isBinary() && tested_ > 0)
+        point.wrongPpm = 1e6 * static_cast<double>(wrong_) / static_cast<double>(tested_);
+    point.rmse = compareImages(image_, reference_->image()).rmse;
+    oracle_.reset();
     subject_.reset();
     technique_.reset();  // its maps may be large, and the picture's technique has its own
     return point;

@@ -7,6 +7,8 @@
 
 #include "frame/frame_renderer.h"
 #include "measure/reference.h"
+#include "measure/reference_visibility.h"
+#include "measure/shadow_error.h"
 
 namespace timeshade {
 
@@ -22,9 +24,14 @@ struct ProbeSubject {
 /// What one subject costs and how far it is from the reference, both at the probe's size.
 struct ProbePoint {
     ProbeSubject subject;
-    double milliseconds = 0.0;  ///< median of the draws that count
-    double rmse = 0.0;
+    double milliseconds = 0.0;       ///< median of the draws that count
+    double shadowError = 0.0;        ///< RMS, with the reference's own noise removed; what "equal error" means
+    std::optional<double> wrongPpm;  ///< wrong shadow samples in a million, where each value is a single test
+    double rmse = 0.0;               ///< of the image
 };
+
+/// "wrong shadow samples 21,144 ppm", or "shadow error 0.0147" where values average.
+std::string errorInWords(const ProbePoint& point);
 
 /// The subject's technique, set as it says.
 std::unique_ptr<Technique> techniqueOf(const ProbeSubject& subject, gl::ProgramCache& programs);
@@ -34,11 +41,13 @@ FrameRequest smallCopyOf(const FrameRequest& request, int longestSide);
 std::vector<double> smallCopyKey(const FrameRequest& small, int scene);
 
 /// Measures techniques on a small copy of the window's frame, with a renderer of its own so that the picture stays as
-/// it is. Works a step at a time: a batch of the reference or a draw of the technique.
+/// it is. Works a step at a time: some rows of the converged visibility, a batch of the reference image, or a draw of
+/// the technique.
 class AccuracyProbe {
   public:
     static constexpr int longestSide = 240;
-    static constexpr int referenceSamples = 64;
+    static constexpr int referenceSamples = 64;  ///< per pixel, of the reference image
+    static constexpr int referenceRays = 256;    ///< per pixel, of the converged visibility
 
     /// Says which frame is meant. True if it is another than before, or of another shape: the reference is then made
     /// anew and earlier points do not compare. The planner is that of the scene with this number.
@@ -52,12 +61,15 @@ class AccuracyProbe {
 
     int width() const { return request_.width; }
     int height() const { return request_.height; }
-    /// Null until there is a reference at work.
-    const ReferenceBuilder* reference() const { return reference_.get(); }
+    /// Both references are there.
+    bool hasReferences() const { return reference_ && reference_->complete(); }
+    /// Share of the work on both that is done.
+    double referenceProgress() const;
 
   private:
     std::optional<ProbePoint> draw();
     void beginSubject();
+    void compareRender();
     FramePlan planFor(int samplesPerPixel, int mapSize);
 
     std::optional<FrameRenderer> renderer_;  ///< made when first needed
@@ -65,7 +77,8 @@ class AccuracyProbe {
     FramePlanner* planner_ = nullptr;
     FrameRequest request_;
     std::vector<double> key_;  ///< of the frame
-    std::unique_ptr<ReferenceBuilder> reference_;
+    std::unique_ptr<ReferenceVisibilityBuilder> visibility_;
+    std::unique_ptr<ReferenceBuilder> reference_;  ///< once there is the visibility
 
     std::optional<ProbeSubject> subject_;
     std::unique_ptr<Technique> technique_;
@@ -74,6 +87,10 @@ class AccuracyProbe {
     double milliseconds_ = 0.0;  ///< of the draw at work
     std::vector<double> times_;  ///< of the completed draws
     LinearImage image_;          ///< of the first of them
+
+    std::unique_ptr<Oracle> oracle_;  ///< of the subject's plan
+    std::optional<PixelMeans> means_;
+    std::uint64_t tested_ = 0, wrong_ = 0;
     std::string failure_;
 };
 

@@ -114,7 +114,7 @@ std::string Comparison::label(const Session& session, bool ofSecond) const {
     if (times != nullptr && times->frames() > 0) text += ", " + inMilliseconds(times->medianTotal());
     const ProbeSubject subject = subjectOfTechnique(technique, session.moment.request);
     for (const ProbePoint& point : points_)
-        if (point.subject == subject) text += fmt::format(", RMSE {:.3g}", point.rmse);
+        if (point.subject == subject) text += ", " + errorInWords(point);
     return text;
 }
 

@@ -29,7 +29,7 @@ std::string nameOf(const std::vector<std::vector<const ProbePoint*>>& curves, co
 Chart trailChart(const std::vector<ProbePoint>& trail, bool softwareRenderer) {
     Chart chart;
     chart.xLabel = softwareRenderer ? "ms (software renderer)" : "ms";
-    chart.yLabel = "RMSE";
+    chart.yLabel = "shadow error";
     std::vector<std::vector<const ProbePoint*>> curves;
     for (const ProbePoint& point : trail) {
         const auto fits = [&](const auto& curve) { return onOneCurve(curve.front()->subject, point.subject); };
@@ -47,7 +47,8 @@ Chart trailChart(const std::vector<ProbePoint>& trail, bool softwareRenderer) {
             return std::stoi(sampleCountLabel(a->subject)) < std::stoi(sampleCountLabel(b->subject));
         });
         for (const ProbePoint* point : curves[i])
-            chart.series[i].points.push_back({point->milliseconds, point->rmse, sampleCountLabel(point->subject)});
+            chart.series[i].points.push_back(
+                {point->milliseconds, point->shadowError, sampleCountLabel(point->subject)});
     }
     return chart;
 }
@@ -60,7 +61,7 @@ void TrailChart::update(const std::vector<ProbePoint>& trail, const ProbePoint* 
     const DisplayImage image = drawChart(chart, width, height, scale);
     current_.reset();
     if (current != nullptr) {
-        const ChartPoint point{current->milliseconds, current->rmse, ""};
+        const ChartPoint point{current->milliseconds, current->shadowError, ""};
         if (isDrawable(point)) current_ = layoutChart(chart, ChartFonts(), width, height, scale).pixelOf(point);
     }
     upload(texture_, image);

@@ -30,15 +30,9 @@ void drawWarmUp(FrameRenderer& renderer, FramePlanner& planner, Technique& techn
     renderer.timer().finishFrame();  // none of it is the picture's time
 }
 
-void emptyCaches(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
-                 View view) {
-    // A frame that may not use any cache finds and leaves all of them empty.
-    FrameRequest uncached = request;
-    uncached.useCaches = false;
-    renderer.begin(planner.plan(uncached), technique, view);
-    renderer.step();
+void emptyCaches(FrameRenderer& renderer, Technique& technique) {
+    renderer.invalidateAll();
     technique.forget();
-    renderer.timer().finishFrame();
 }
 
 void drawVariants(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
@@ -53,7 +47,7 @@ void drawVariants(FrameRenderer& renderer, FramePlanner& planner, Technique& tec
     };
     // Twice: a driver may compile a program once more for the state that the first time has left, as llvmpipe does.
     for (int i = 0; i < 2; ++i) {
-        emptyCaches(renderer, planner, technique, request, view);
+        emptyCaches(renderer, technique);
         draw(request.frame);
         if (warmUpCount(technique) == 0) draw(request.frame - 1.0);
         drawWarmUp(renderer, planner, technique, request, view);

@@ -21,8 +21,7 @@ void drawWarmUp(FrameRenderer& renderer, FramePlanner& planner, Technique& techn
 
 /// Leaves nothing in any cache of the renderer and the technique, and no history: the next frame is drawn as the first
 /// of a sequence. Programs stay compiled.
-void emptyCaches(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
-                 View view);
+void emptyCaches(FrameRenderer& renderer, Technique& technique);
 
 /// Draws what a sequence that arrives at the requested frame would meet: a frame with nothing cached, the one in which
 /// caches fill or the frames of a warm-up, and one that uses them. So every program that such frames need is compiled,

@@ -44,7 +44,7 @@ struct Player {
         now.frame += frame;
         if (frame == 0) {
             drawVariants(renderer, planner, *drawn, request, View::Final);
-            emptyCaches(renderer, planner, *drawn, request, View::Final);
+            emptyCaches(renderer, *drawn);
             drawWarmUp(renderer, planner, *drawn, request, View::Final);
         }
         const Clock::time_point begin = Clock::now();

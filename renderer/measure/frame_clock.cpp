@@ -55,7 +55,7 @@ std::vector<ClockedFrame> FrameClock::time(Technique& technique, const FrameRequ
 
 std::vector<ClockedFrame> FrameClock::timeOnce(Technique& technique, const FrameRequest& request, int steadyFrames) {
     std::vector<ClockedFrame> frames;
-    emptyCaches(renderer_, planner_, technique, request, view_);
+    emptyCaches(renderer_, technique);
     frames.push_back(draw(technique, request, request.frame, FrameState::Cold));
     if (warmUpCount(technique) == 0) {
         if (technique.renders() == 1)

@@ -10,6 +10,7 @@
 #include "measure/display_encoding.h"
 #include "measure/embree_baseline.h"
 #include "measure/reference.h"
+#include "measure/reference_noise.h"
 #include "measure/reference_technique.h"
 #include "measure/sweep_journal.h"
 #include "measure/technique_variant.h"
@@ -92,6 +93,9 @@ class SceneSweep {
         how.samplesPerPixel = options_.referenceSamples;
         reference_ = referenceImage(renderer_, planFor(subjects.front().point, 0), how, cache_);
         displayedReference_ = displayed(reference_, true);
+        referenceNoise_ = referenceNoise(renderer_, planner_, scene_.request, reference_, options_.referenceSamples);
+        if (options_.referenceRays > 0)
+            visibility_ = referenceVisibility(planFor(subjects.front().point, 0), options_.referenceRays, cache_);
         for (int round = 0; round < options_.rounds; ++round)
             for (Subject& subject : subjects) {
                 steps_.next(fmt::format("{}: round {}", subject.point.key(), round + 1));
@@ -159,9 +163,11 @@ class SceneSweep {
         row.point = subject.point;
         const LinearImage& image = subject.images.front();
         row.error = compareImages(image, reference_, displayed(image, true), displayedReference_);
+        row.referenceNoise = referenceNoise_;
         row.biasAndNoise = biasAndNoise(subject.images, reference_);
         VerificationOptions how;
         how.checkPrimaries = subject.technique->renders() == 1;
+        how.reference = visibility_;
         drawWarmUp(renderer_, planner_, *subject.technique, requestFor(subject.point, 0), View::Final);
         row.verification = verifyFrame(renderer_, planFor(subject.point, 0), *subject.technique, how);
         renderer_.timer().finishFrame();
@@ -175,6 +181,8 @@ class SceneSweep {
     FramePlanner planner_;
     FrameClock clock_;
     LinearImage reference_;
+    double referenceNoise_ = 0.0;
+    std::shared_ptr<const ReferenceVisibility> visibility_;
     DisplayImage displayedReference_;
 };
 

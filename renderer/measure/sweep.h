@@ -44,9 +44,10 @@ struct SweepRow {
     int renders = 1;                             ///< of brute force, whose times are those of all of them together
     std::map<std::string, Timing> steps;         ///< sample, build, lookup, shade, total; and parts: "build/collect"
     std::vector<TechniqueStatistic> statistics;  ///< what the technique counted in the first seed's picture
-    ErrorMetrics error;                          ///< of the first seed's picture
+    ErrorMetrics error;                          ///< of the first seed's picture, in linear light
+    double referenceNoise = 0.0;                 ///< part of error.rmse that is the reference image's own
     BiasAndNoise biasAndNoise;                   ///< over all rounds, each with a seed of its own
-    Verification verification;                   ///< of the first seed's samples
+    Verification verification;                   ///< shadow and footprint error, counts; of the first seed's samples
     std::size_t bytes = 0;                       ///< GPU memory, all of the frame
     std::size_t techniqueBytes = 0;
 };
@@ -68,7 +69,8 @@ struct SweepOptions {
     int rounds = 3;    ///< at least 2; each times every point once, in turn, with another seed
     int sequence = 0;  ///< frames timed as steady ones in a round; then there are rows for caches that fill as well. 0:
                        ///< one such frame, and no rows for that
-    int referenceSamples = 256;
+    int referenceSamples = 256;  ///< per pixel, of the reference image
+    int referenceRays = 1024;    ///< per pixel, of the converged visibility that shadow errors need; 0: no such errors
     std::filesystem::path journal;  ///< finished rows are kept here, one JSON line each
     /// What is being done, how many of how many steps are done, and seconds left (negative: not known yet).
     std::function<void(const std::string&, int, int, double)> progress;

@@ -1,6 +1,7 @@
 #include "measure/sweep_charts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,21 +12,36 @@ namespace timeshade {
 
 Chart sweepChart(const std::vector<SweepRow>& rows, const std::string& scene, ChartOf what, bool softwareRenderer) {
     Chart chart;
-    chart.title = what == ChartOf::Error ? fmt::format("{}: what accuracy costs", scene)
-                                         : fmt::format("{}: wrong shadow samples against time", scene);
-    chart.subtitle = what == ChartOf::Error ? "one curve per technique, samples per pixel (or renders, x) at the points"
-                                            : "camera samples whose lit differs from the ray-traced truth";
+    switch (what) {
+    case ChartOf::ShadowError:
+        chart.title = fmt::format("{}: what accuracy of shadows costs", scene);
+        chart.yLabel = "shadow error (RMS)";
+        chart.subtitle = "one curve per technique, samples per pixel (or renders, x) at the points";
+        break;
+    case ChartOf::ImageError:
+        chart.title = fmt::format("{}: what accuracy of the image costs", scene);
+        chart.yLabel = "image RMSE against the reference";
+        chart.subtitle = "noise of camera samples included, which shadows have no part in";
+        break;
+    case ChartOf::Disagreement:
+        chart.title = fmt::format("{}: wrong shadow samples against time", scene);
+        chart.yLabel = "wrong shadow samples (ppm)";
+        chart.subtitle = "camera samples whose lit value differs from the oracle's";
+        break;
+    }
     chart.xLabel =
         softwareRenderer ? "milliseconds per frame (software renderer, wall time)" : "milliseconds per frame (GPU)";
-    chart.yLabel = what == ChartOf::Error ? "RMSE against the reference" : "wrong shadow samples (ppm)";
     for (const SweepRow& row : rowsOfCharts(rows)) {
         if (row.point.scene != scene) continue;
+        const double y = what == ChartOf::ShadowError  ? shadowErrorOf(row)
+                         : what == ChartOf::ImageError ? row.error.rmse
+                                                       : wrongPpmOf(row);
+        if (std::isnan(y)) continue;
         const std::string name = curveName(rows, row.point);
         if (chart.series.empty() || chart.series.back().name != name) chart.series.push_back({name, {}});
-        const double y = what == ChartOf::Error ? row.error.rmse : row.verification.ppm();
         chart.series.back().points.push_back({stepOf(row, "total").median, y, sampleCountLabel(row)});
     }
-    if (what == ChartOf::Error) chart.slopes = {{-0.5, "slope -1/2"}, {-1.0, "slope -1"}};
+    if (what != ChartOf::Disagreement) chart.slopes = {{-0.5, "slope -1/2"}, {-1.0, "slope -1"}};
     chart.drawParetoFront = true;
     return chart;
 }
@@ -48,7 +64,7 @@ Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, V
     chart.subtitle = what == VariedChartOf::Time ? "shadow structure and shadow test, medians" + samples
                      : what == VariedChartOf::Memory
                          ? "GPU memory of the technique itself" + samples
-                         : "camera samples whose lit differs from the ray-traced truth" + samples;
+                         : "camera samples whose lit value differs from the oracle's" + samples;
     chart.xLabel = key;
     chart.yLabel = what == VariedChartOf::Time
                        ? (softwareRenderer ? "milliseconds (software renderer, wall time)" : "milliseconds (GPU)")
@@ -64,7 +80,7 @@ Chart variedChart(const std::vector<SweepRow>& rows, const std::string& scene, V
         if (series == chart.series.end()) series = chart.series.insert(series, {name, {}});
         const double y = what == VariedChartOf::Time     ? stepOf(row, "build").median + stepOf(row, "lookup").median
                          : what == VariedChartOf::Memory ? static_cast<double>(row.techniqueBytes) / 1048576.0
-                                                         : row.verification.ppm();
+                                                         : wrongPpmOf(row);
         series->points.push_back({row.point.variedValue, y, ""});
     }
     return chart;

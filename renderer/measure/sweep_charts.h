@@ -8,9 +8,9 @@
 
 namespace timeshade {
 
-/// The charts, for the window and for tests: image error or wrong samples of one scene against milliseconds of the
-/// whole frame, of steady frames where a point has those.
-enum class ChartOf { Error, Disagreement };
+/// The charts of one scene, for the window and for tests: RMS shadow error, image RMSE or wrong samples against
+/// milliseconds of the whole frame, of steady frames where a point has those. Points without the value are left out.
+enum class ChartOf { ShadowError, ImageError, Disagreement };
 Chart sweepChart(const std::vector<SweepRow>& rows, const std::string& scene, ChartOf what, bool softwareRenderer);
 
 /// The charts of a scene of which a setting was varied: one curve per technique, map and samples per pixel, against the

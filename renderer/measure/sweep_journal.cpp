@@ -41,6 +41,7 @@ std::string rowAsJson(const SweepRow& row) {
                      {"mean_absolute", number(row.error.meanAbsolute)},
                      {"p999", number(row.error.p999)},
                      {"off_by_30", number(row.error.offBy30.value_or(0.0))},
+                     {"reference_noise", number(row.referenceNoise)},
                      {"bias", number(row.biasAndNoise.bias)},
                      {"noise", number(row.biasAndNoise.noise)},
                      {"mean_error", number(row.biasAndNoise.meanError)}};
@@ -74,6 +75,7 @@ SweepRow rowFromJson(const std::string& text) {
     row.error.meanAbsolute = numberOf(error.at("mean_absolute"));
     row.error.p999 = numberOf(error.at("p999"));
     row.error.offBy30 = numberOf(error.at("off_by_30"));
+    row.referenceNoise = error.contains("reference_noise") ? numberOf(error.at("reference_noise")) : 0.0;
     row.biasAndNoise.bias = numberOf(error.at("bias"));
     row.biasAndNoise.noise = numberOf(error.at("noise"));
     row.biasAndNoise.meanError = numberOf(error.at("mean_error"));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "measure/reference_noise.h"
 #include "measure/sweep_charts.h"
 #include "measure/sweep_journal.h"
 #include "measure/sweep_rows.h"
@@ -60,6 +61,19 @@ std::string floorLine(const std::vector<SweepRow>& rows, const std::string& scen
                                                            : "more samples still help");
 }
 
+/// Shadow error, footprint error and wrong samples; "-" for what was not measured, or says nothing of the technique.
+std::string shadowCells(const SweepRow& row) {
+    const Verification& v = row.verification;
+    std::string text = "- | - | -";
+    if (v.shadowError) {
+        const ErrorSummary& e = v.shadowError->error;
+        text = fmt::format("{:.5f} ± {:.5f} | {:.5f} | {:.3f}", e.rms, e.standardError, e.mean, e.p999);
+    }
+    const ErrorSummary& own = v.footprintError.error;
+    text += own.count > 0 ? fmt::format(" | {:.5f}", own.rms) : " | -";
+    return text + (v.footprint.isBinary() ? fmt::format(" | {:.0f} ppm", v.ppm()) : " | -");
+}
+
 std::string reportTable(const std::vector<SweepRow>& rows, const std::string& scene) {
     const SweepRow* varied = variedRow(rows, scene);
     const std::vector<std::string> parts = partsOf(rows, scene);
@@ -72,8 +86,9 @@ std::string reportTable(const std::vector<SweepRow>& rows, const std::string& sc
     for (const char* name : {"spp", "map", "state", "camera samples", "shadow structure", "shadow test", "shading"})
         column(name);
     for (const std::string& part : parts) column(part);
-    for (const char* name : {"total ms (low to high)", "image RMSE", "bias", "noise", "off by > 30/255",
-                             "wrong shadow samples", "technique MiB", "GPU MiB"})
+    for (const char* name :
+         {"total ms (low to high)", "shadow error: RMS", "mean", "p99.9", "footprint error: RMS",
+          "wrong shadow samples", "image RMSE", "bias", "noise", "off by > 30/255", "technique MiB", "GPU MiB"})
         column(name);
     std::string text = head + "\n" + rule + "\n";
     for (const SweepRow& row : rows) {
@@ -88,9 +103,10 @@ std::string reportTable(const std::vector<SweepRow>& rows, const std::string& sc
         for (const std::string& part : parts)
             text += row.steps.count(part) > 0 ? fmt::format(" {:.1f} |", stepOf(row, part).median) : " |";
         text += fmt::format(
-            " {:.1f} ({:.1f} to {:.1f}) | {:.5f} | {:.5f} | {:.5f} | {:.2f} % | {:.0f} ppm | {:.1f} | {:.1f} |\n",
-            total.median, total.low, total.high, row.error.rmse, row.biasAndNoise.bias, row.biasAndNoise.noise,
-            100.0 * row.error.offBy30.value_or(0.0), row.verification.ppm(),
+            " {:.1f} ({:.1f} to {:.1f}) | {} | {:.5f}{} | {:.5f} | {:.5f} | {:.2f} % | {:.1f} | {:.1f} |\n",
+            total.median, total.low, total.high, shadowCells(row), row.error.rmse,
+            noiseDominates(row.error.rmse, row.referenceNoise) ? " \\*" : "", row.biasAndNoise.bias,
+            row.biasAndNoise.noise, 100.0 * row.error.offBy30.value_or(0.0),
             static_cast<double>(row.techniqueBytes) / 1048576.0, static_cast<double>(row.bytes) / 1048576.0);
     }
     return text;
@@ -126,8 +142,13 @@ std::string preface(const SweepManifest& manifest) {
         "frame has nothing cached; the next one is *filling* the caches; a *steady* one belongs to a sequence that has "
         "been running. Charts show steady frames, and cold ones of what caches nothing. Errors do not depend on the "
         "state.\n\n"
-        "Image RMSE is of the displayed frame in linear light against a ray-traced reference. Wrong shadow samples "
-        "are camera samples whose lit value differs from the oracle's.\n\n";
+        "Shadow error is per pixel: the mean lit value of its samples against the oracle's mean over the whole shutter "
+        "and the pixel's area; RMS with the reference's own noise removed, ± its standard error. Footprint error is "
+        "that "
+        "of a technique's values against the oracle's mean over what each value stands for. Wrong shadow samples are "
+        "camera samples whose lit value differs from the oracle's, for techniques whose values are single tests. Image "
+        "RMSE is of the frame in linear light against a ray-traced reference; \\* marks where the noise of that "
+        "reference is more than half of its square.\n\n";
     return text;
 }
 
@@ -141,7 +162,8 @@ std::string sceneSection(const std::vector<SweepRow>& rows, const std::string& s
                    scene, varied->point.varied, name) +
                reportTable(rows, scene) + "\n" + statisticLines(rows, scene);
     std::string text = fmt::format(
-        "## {0}\n\n![error against milliseconds]({1}-error.png)\n\n![wrong shadow samples against "
+        "## {0}\n\n![shadow error against milliseconds]({1}-error.png)\n\n![image error against milliseconds]("
+        "{1}-image-error.png)\n\n![wrong shadow samples against "
         "milliseconds]({1}-disagreement.png)\n\n",
         scene, name);
     text += reportTable(rows, scene) + "\n" + statisticLines(rows, scene);
@@ -174,6 +196,19 @@ std::string footnotes(const std::vector<SweepRow>& rows) {
     return text;
 }
 
+/// Of the csv: empty cells for what was not measured.
+std::string errorCells(const SweepRow& row) {
+    const Verification& v = row.verification;
+    std::string text = ",,,,";
+    if (v.shadowError) {
+        const ErrorSummary& e = v.shadowError->error;
+        text = fmt::format(",{},{},{},{}", e.rms, e.standardError, e.mean, e.p999);
+    }
+    const ErrorSummary& own = v.footprintError.error;
+    text += own.count > 0 ? fmt::format(",{},{}", own.rms, own.mean) : ",,";
+    return text + fmt::format(",{},{}", v.shadowError ? v.shadowError->rays : 0, row.referenceNoise);
+}
+
 std::string report(const SweepManifest& manifest, const std::vector<SweepRow>& rows) {
     std::string text = preface(manifest);
     for (const std::string& scene : scenesOf(rows)) text += sceneSection(rows, scene);
@@ -188,7 +223,9 @@ std::string sweepCsv(const std::vector<SweepRow>& rows) {
     text +=
         ",rmse,relative_mse,psnr,mean_absolute,p999,off_by_30,bias,noise,mean_error,samples,tested,shadowed,disagree,"
         "false_shadow,false_lit,marginal,ppm,"
-        "primary_tested,primary_disagree,primary_marginal,bytes,technique_bytes,varied,value";
+        "primary_tested,primary_disagree,primary_marginal,bytes,technique_bytes,varied,value,shadow_error_rms,"
+        "shadow_error_standard_error,shadow_error_mean,shadow_error_p999,footprint_error_rms,footprint_error_mean,"
+        "reference_rays,reference_noise";
     const std::vector<std::string> parts = partsOf(rows, "");
     for (const std::string& part : parts) text += fmt::format(",{}_ms,{}_ms_low,{}_ms_high", part, part, part);
     text += "\n";
@@ -208,6 +245,7 @@ std::string sweepCsv(const std::vector<SweepRow>& rows) {
                             v.falseShadow, v.falseLit, v.marginal, v.ppm(), v.primaryTested, v.primaryDisagree,
                             v.primaryMarginal, row.bytes, row.techniqueBytes);
         text += row.point.varied.empty() ? ",," : fmt::format(",{},{}", row.point.varied, row.point.variedValue);
+        text += errorCells(row);
         for (const std::string& part : parts) {
             const Timing timing = stepOf(row, part);
             text +=
@@ -234,10 +272,11 @@ void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& 
             if (scene == scenes.front()) writePng(folder / "accuracy.png", time);
             continue;
         }
-        const DisplayImage error = drawChart(sweepChart(rows, scene, ChartOf::Error, software), 1200, 800);
+        const auto draw = [&](ChartOf what) { return drawChart(sweepChart(rows, scene, what, software), 1200, 800); };
+        const DisplayImage error = draw(haveShadowErrors(rows) ? ChartOf::ShadowError : ChartOf::ImageError);
         writePng(folder / (fileName(scene) + "-error.png"), error);
-        writePng(folder / (fileName(scene) + "-disagreement.png"),
-                 drawChart(sweepChart(rows, scene, ChartOf::Disagreement, software), 1200, 800));
+        writePng(folder / (fileName(scene) + "-image-error.png"), draw(ChartOf::ImageError));
+        writePng(folder / (fileName(scene) + "-disagreement.png"), draw(ChartOf::Disagreement));
         if (scene == scenes.front()) writePng(folder / "accuracy.png", error);
     }
     nlohmann::ordered_json json;

@@ -21,9 +21,9 @@ struct SweepManifest {
 };
 
 /// Writes accuracy.csv, accuracy.json, manifest.json, report.md and pictures per scene into an existing folder:
-/// SCENE-error.png and SCENE-disagreement.png, or, where a setting of the scene was varied, SCENE-time.png,
-/// SCENE-memory.png and SCENE-disagreement.png against that. accuracy.png is the first scene's first chart. Each file
-/// is whole or not there.
+/// SCENE-error.png (shadow error), SCENE-image-error.png and SCENE-disagreement.png, or, where a setting of the scene
+/// was varied, SCENE-time.png, SCENE-memory.png and SCENE-disagreement.png against that. accuracy.png is the first
+/// scene's first chart. Each file is whole or not there.
 void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& manifest,
                       const std::vector<SweepRow>& rows);
 

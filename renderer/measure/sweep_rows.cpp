@@ -1,6 +1,7 @@
 #include "measure/sweep_rows.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -54,6 +55,20 @@ std::string curveName(const std::vector<SweepRow>& rows, const SweepPoint& point
     for (const SweepRow& row : rows)
         if (row.point.technique == point.technique) maps.insert(row.point.mapSize);
     return maps.size() > 1 ? fmt::format("{}, map {}", point.technique, point.mapSize) : point.technique;
+}
+
+double shadowErrorOf(const SweepRow& row) {
+    return row.verification.shadowError ? row.verification.shadowError->error.rms
+                                        : std::numeric_limits<double>::quiet_NaN();
+}
+
+double wrongPpmOf(const SweepRow& row) {
+    return row.verification.footprint.isBinary() ? row.verification.ppm() : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool haveShadowErrors(const std::vector<SweepRow>& rows) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const SweepRow& row) { return row.verification.shadowError.has_value(); });
 }
 
 std::string sampleCountLabel(const SweepRow& row) {

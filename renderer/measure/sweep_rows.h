@@ -28,6 +28,13 @@ std::vector<SweepRow> rowsOfCharts(const std::vector<SweepRow>& rows);
 /// "tsm", or "tsm, map 256" where a technique was measured with several maps.
 std::string curveName(const std::vector<SweepRow>& rows, const SweepPoint& point);
 
+/// RMS of the shadow error; NaN where it was not measured.
+double shadowErrorOf(const SweepRow& row);
+/// Wrong shadow samples in a million; NaN where the technique's values are no single tests.
+double wrongPpmOf(const SweepRow& row);
+/// Whether any row has a shadow error.
+bool haveShadowErrors(const std::vector<SweepRow>& rows);
+
 /// Samples per pixel, "8", or the renders of brute force, "64x".
 std::string sampleCountLabel(const SweepRow& row);
 

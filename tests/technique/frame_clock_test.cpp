@@ -105,8 +105,8 @@ TEST(FrameClock, CachesThatAreEmptiedHoldNothing) {
     const std::size_t once = renderer.memory().total();
     for (int i = 0; i < 3; ++i) renderer.draw(planner.plan(request), *technique, View::Final);
     ASSERT_GT(renderer.memory().total(), once) << "a scene in which nothing is cached tells nothing";
-    emptyCaches(renderer, planner, *technique, request, View::Final);
-    EXPECT_EQ(renderer.memory().total(), once);
+    emptyCaches(renderer, *technique);
+    EXPECT_LE(renderer.memory().total(), once);
 }
 
 TEST(FrameClock, StatesHaveNames) {

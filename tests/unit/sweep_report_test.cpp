@@ -32,6 +32,10 @@ SweepRow makeRow(const std::string& technique, int sampleCount, double milliseco
     row.verification.samples = 2'000'000;
     row.verification.tested = 1'000'000;
     row.verification.falseShadow = wrong;
+    row.verification.shadowError.emplace();
+    row.verification.shadowError->rays = 1024;
+    row.verification.shadowError->error = {1000, 0.5 * rmse, 2.0 * rmse, 0.75, 0.001, 4.0 * rmse * rmse, 0.0001};
+    row.verification.footprintError.error = {500, 0.25 * rmse, 0.5 * rmse, 0.5, 0.001, 0.25 * rmse * rmse, 0.0001};
     row.bytes = 12345678;
     return row;
 }
@@ -85,10 +89,12 @@ TEST(SweepReport, TheChartsPointsAreTheTablesNumbers) {
     const std::vector<SweepRow> rows = makeRows();
     const auto table = tableOf(sweepCsv(rows));
     ASSERT_EQ(table.size(), rows.size() + 1);
-    for (const ChartOf what : {ChartOf::Error, ChartOf::Disagreement}) {
+    for (const auto& [what, column] :
+         std::vector<std::pair<ChartOf, std::string>>{{ChartOf::ShadowError, "shadow_error_rms"},
+                                                      {ChartOf::ImageError, "rmse"},
+                                                      {ChartOf::Disagreement, "ppm"}}) {
         const Chart chart = sweepChart(rows, "chess", what, true);
-        const std::size_t x = columnOf(table[0], "total_ms"),
-                          y = columnOf(table[0], what == ChartOf::Error ? "rmse" : "ppm");
+        const std::size_t x = columnOf(table[0], "total_ms"), y = columnOf(table[0], column);
         std::size_t line = 1;
         for (const ChartSeries& series : chart.series)
             for (const ChartPoint& point : series.points) {
@@ -106,7 +112,7 @@ TEST(SweepReport, ChartsShowSteadyFrames) {
     SweepRow baseline = makeRow("embree", 1, 5.0, 0.1, 0);
     baseline.state = FrameState::Cold;
     rows.push_back(baseline);
-    const Chart chart = sweepChart(rows, "chess", ChartOf::Error, true);
+    const Chart chart = sweepChart(rows, "chess", ChartOf::ShadowError, true);
     ASSERT_EQ(chart.series.size(), 3u);
     ASSERT_EQ(chart.series[0].points.size(), 2u) << "one a point, not one a row";
     EXPECT_EQ(chart.series[0].points[0].x, 10.25);
@@ -128,9 +134,28 @@ TEST(SweepReport, RowsNameTheirState) {
     EXPECT_NE(text.find("| static | 1 | 512 | steady |"), std::string::npos) << text;
 }
 
+TEST(SweepReport, ShadowErrorLeadsAndSaysWhatSaysNothing) {
+    std::vector<SweepRow> rows{makeRow("tsm", 1, 10.0, 0.1, 40000), makeRow("static:pcf_radius=1", 1, 10.0, 0.02, 7)};
+    rows[0].referenceNoise = 0.01;
+    rows[1].referenceNoise = 0.015;
+    rows[1].verification.footprint.filterTexels = 3.0;  // its values are no single tests
+    rows.push_back(makeRow("exact", 1, 10.0, 0.1, 3));
+    rows[2].verification.shadowError.reset();  // of a journal from before there was one
+    const Folder folder;
+    writeSweepReport(folder.path, {}, rows);
+    std::ifstream report(folder.path / "report.md");
+    const std::string text{std::istreambuf_iterator<char>(report), {}};
+    for (const char* part : {"| 0.20000 ± 0.00100 | 0.05000 | 0.750 | 0.05000 | 40000 ppm | 0.10000 |",
+                             "| 0.04000 ± 0.00100 | 0.01000 | 0.750 | 0.01000 | - | 0.02000 \\* |",
+                             "| - | - | - | 0.05000 | 3 ppm | 0.10000 |"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    EXPECT_EQ(sweepChart(rows, "chess", ChartOf::ShadowError, true).series.size(), 2u);
+    EXPECT_EQ(sweepChart(rows, "chess", ChartOf::Disagreement, true).series.size(), 2u);
+}
+
 TEST(SweepReport, BruteForceIsLabelledWithItsRenders) {
     const std::vector<SweepRow> rows{makeRow("accumulation", 8, 100.0, 0.01, 5)};
-    EXPECT_EQ(sweepChart(rows, "chess", ChartOf::Error, true).series.at(0).points.at(0).label, "64x");
+    EXPECT_EQ(sweepChart(rows, "chess", ChartOf::ShadowError, true).series.at(0).points.at(0).label, "64x");
 }
 
 TEST(SweepReport, EveryLineHasAllColumns) {
@@ -146,7 +171,7 @@ TEST(SweepReport, FilesAreWrittenWithTheirManifest) {
     manifest.device.software = true;
     writeSweepReport(folder.path, manifest, makeRows());
     for (const char* name : {"accuracy.csv", "accuracy.json", "manifest.json", "report.md", "accuracy.png",
-                             "chess-error.png", "chess-disagreement.png"})
+                             "chess-error.png", "chess-image-error.png", "chess-disagreement.png"})
         EXPECT_TRUE(std::filesystem::exists(folder.path / name)) << name;
     std::ifstream report(folder.path / "report.md");
     const std::string text{std::istreambuf_iterator<char>(report), {}};

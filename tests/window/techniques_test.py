@@ -78,10 +78,11 @@ class Compared(WindowTest):
         alone = window.look_at_picture()
         window.choose("compare", "exact")
         window.wait_state(compare=["tsm", "exact"], compared=True)
-        dump = window.wait(lambda d: "RMSE" in d["state"].get("compare.first", "")
-                           and "RMSE" in d["state"].get("compare.second", ""), "both errors", 90)
-        self.assertRegex(dump["state"]["compare.first"], r"^tsm, 2 spp, [0-9.e+]+ ms, RMSE [0-9.e-]+$")
-        error = [float(dump["state"][f"compare.{name}"].split("RMSE ")[1]) for name in ("first", "second")]
+        dump = window.wait(lambda d: "ppm" in d["state"].get("compare.first", "")
+                           and "ppm" in d["state"].get("compare.second", ""), "both errors", 90)
+        self.assertRegex(dump["state"]["compare.first"], r"^tsm, 2 spp, [0-9.e+]+ ms, wrong shadow samples [0-9,]+ ppm$")
+        error = [float(dump["state"][f"compare.{name}"].split("samples ")[1].split(" ppm")[0].replace(",", ""))
+                 for name in ("first", "second")]
         self.assertGreater(error[0], 1.5 * error[1], "what is wrong with tsm here")
         (width, height), (whole, _) = dump["state"]["drawn"], dump["state"]["window"]
         left = whole - width
@@ -225,6 +226,7 @@ class Accuracy(WindowTest):
         window.click("section.accuracy")
         dump = window.wait(lambda d: d["state"].get("accuracy", {}).get("points") == 1
                            and d["state"]["accuracy"]["state"] == "idle", "the live point")
+        self.assertGreater(float(dump["widgets"]["accuracy.shadow"]["value"]), 0.0)
         self.assertGreater(float(dump["widgets"]["accuracy.rmse"]["value"]), 0.0)
         self.assertRegex(dump["widgets"]["accuracy.ms"]["value"], r"^[0-9.]+ ms$")
         self.assertEqual(window.state()["begun"], begun, "the picture is left alone")
