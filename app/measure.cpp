@@ -79,24 +79,11 @@ void showProgress(const std::string& what, int done, int total, double secondsLe
     std::fflush(stderr);
 }
 
-}  // namespace
-
-int runMeasure(const MeasureOptions& options) {
-    if (!options.convergenceFrames.empty()) return runConvergence(options);
-    if (options.effects) return runEffects(options);
-    const std::filesystem::path folder(options.output);
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw Error(
-            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
-
-    SweepOptions sweep;
+/// Opens the scenes to measure, a varied one once for each of its values; `scenes` owns them.
+void addScenes(const MeasureOptions& options, std::vector<std::unique_ptr<Scene>>& scenes, SweepOptions& sweep) {
     std::vector<std::string> names = options.measuredScenes;
     if (names.empty())
         for (const BuiltInScene& scene : showcase()) names.push_back(scene.name);
-    std::vector<std::unique_ptr<Scene>> scenes;
-    sweep.techniques = techniquesOf(options);
     const std::string variedScene = options.variedSetting.substr(0, options.variedSetting.find('.'));
     for (const std::string& name : names) {
         const auto add = [&](const SettingTexts& settings, const std::string& varied, double value) {
@@ -110,6 +97,24 @@ int runMeasure(const MeasureOptions& options) {
             add(settings, options.variedSetting, std::stod(value));
         }
     }
+}
+
+}  // namespace
+
+int runMeasure(const MeasureOptions& options) {
+    if (!options.convergenceFrames.empty()) return runConvergence(options);
+    if (options.effects) return runEffects(options);
+    const std::filesystem::path folder(options.output);
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure)
+        throw Error(
+            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+
+    SweepOptions sweep;
+    std::vector<std::unique_ptr<Scene>> scenes;
+    sweep.techniques = techniquesOf(options);
+    addScenes(options, scenes, sweep);
     sweep.settings = options.settings;
     sweep.sampleCounts = options.measuredSampleCounts;
     sweep.mapSizes = options.measuredMaps;

@@ -140,7 +140,7 @@ void PixelProbe::traceTruth(const Session& session) {
         const OracleAnswer answer = id == NO_TRIANGLE ? OracleAnswer{} : oracle.resolve(plan, index, id);
         truth.lit.push_back(answer.hit && answer.tested ? (answer.lit ? 1.0f : 0.0f) : -1.0f);
     }
-    // Where the truth does not ask, nobody is asked.
+    // Where the oracle tests nothing, no technique has a value.
     for (Row& row : rows_)
         for (std::size_t k = 0; k < std::min(row.lit.size(), truth.lit.size()); ++k)
             if (truth.lit[k] < 0.0f) row.lit[k] = -1.0f;

@@ -19,7 +19,7 @@ class PixelProbe {
     static constexpr int side = 17;  ///< pixels of the magnified square
 
     /// What one of them says: lit of each camera sample, from the first stratum of the shutter to the last; negative
-    /// where the truth does not ask (nothing is seen, or a surface that faces away from the light or lies outside its
+    /// where the oracle tests nothing (nothing is seen, or a surface that faces away from the light or lies outside its
     /// cone).
     struct Row {
         std::string name;

@@ -110,8 +110,8 @@ std::vector<EffectRow> measureEffects(const Scene& scene, const FrameRequest& re
     FrameRequest forcedDynamic = request, closed = request;
     forcedDynamic.forceDynamic = true;
     closed.shutter.length = 0.0;
-    add("nothing planned", options.technique, {}, forcedDynamic);
-    add("as it is", options.technique, {}, request);
+    add("forced dynamic", options.technique, {}, forcedDynamic);
+    add("unchanged", options.technique, {}, request);
     if (asItIs.motion.nonTranslatingInstances > 0)
         add("deformation and turns held", options.technique, {.deformation = true}, request);
     if (asItIs.motion.movingTriangles > 0) add("objects held", options.technique, {.objects = true}, request);
@@ -119,7 +119,7 @@ std::vector<EffectRow> measureEffects(const Scene& scene, const FrameRequest& re
     if (asItIs.motion.cameraMoves) add("camera held", options.technique, {.camera = true}, request);
     add("shutter closed", options.technique, {}, closed);
     add("nothing moves", options.technique, {.objects = true, .light = true, .camera = true}, request);
-    for (const std::string& technique : options.compared) add("as it is", technique, {}, request);
+    for (const std::string& technique : options.compared) add("unchanged", technique, {}, request);
     // Interleaved, so that what else the machine does falls on all of them.
     for (int frame = 0; frame < options.frames; ++frame) {
         for (std::size_t i = 0; i < players.size(); ++i) {

@@ -13,7 +13,7 @@ namespace timeshade {
 
 /// One scene with something left out, or put in: what an effect costs is the difference to the scene as it is.
 struct EffectRow {
-    std::string effect;                              ///< for people: "as it is", "light held"
+    std::string effect;                              ///< for people: "unchanged", "light held"
     std::string technique;                           ///< a TechniqueVariant
     std::size_t dynamicCasters = 0, movingSeen = 0;  ///< most of any frame: triangles that move for the light and for
                                                      ///< the camera, as far as they are drawn

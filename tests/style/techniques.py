@@ -55,7 +55,7 @@ ABOUT = {
     "tests/unit/include_arrows_test.cpp": ("accumulation", "static", "tsm"),
     "tests/unit/options_text_test.cpp": ("ranges", "tsm"),
     "tests/unit/settings_test.cpp": ("accumulation", "tsm"),
-    "tests/unit/sweep_report_test.cpp": ("static", "tsm"),
+    "tests/unit/sweep_report_test.cpp": ("accumulation", "exact", "static", "tsm"),
     "tests/verify/commands_test.py": ("accumulation", "history", "static", "tsm"),
     "tests/verify/dump_test.py": ("tsm",),
     "tests/verify/readme_test.py": ("accumulation",),

@@ -51,7 +51,9 @@ TEST_F(Settings, EveryDeclarationIsWhole) {
             EXPECT_EQ(setting.get(), setting.defaultValue) << "a new technique starts with its defaults";
             EXPECT_GE(setting.help.size(), 20u);
             EXPECT_EQ(setting.unit.empty(), setting.isSwitch() || setting.isChoice());
-            if (setting.isChoice()) EXPECT_EQ(setting.maximum + 1.0, static_cast<double>(setting.choices.size()));
+            if (setting.isChoice()) {
+                EXPECT_EQ(setting.maximum + 1.0, static_cast<double>(setting.choices.size()));
+            }
             EXPECT_TRUE(!setting.logarithmic || setting.minimum > 0.0);
             for (const double limit : {setting.minimum, setting.maximum})
                 EXPECT_TRUE(!setting.isWhole() || limit == std::floor(limit));

@@ -80,7 +80,8 @@ class Compared(WindowTest):
         window.wait_state(compare=["tsm", "exact"], compared=True)
         dump = window.wait(lambda d: "ppm" in d["state"].get("compare.first", "")
                            and "ppm" in d["state"].get("compare.second", ""), "both errors", 90)
-        self.assertRegex(dump["state"]["compare.first"], r"^tsm, 2 spp, [0-9.e+]+ ms, wrong shadow samples [0-9,]+ ppm$")
+        self.assertRegex(dump["state"]["compare.first"],
+                         r"^tsm, 2 spp, [0-9.e+]+ ms, wrong shadow samples [0-9,]+ ppm$")
         error = [float(dump["state"][f"compare.{name}"].split("samples ")[1].split(" ppm")[0].replace(",", ""))
                  for name in ("first", "second")]
         self.assertGreater(error[0], 1.5 * error[1], "what is wrong with tsm here")
