@@ -221,7 +221,7 @@ class Settings(WindowTest):
         window.reveal("view.scale")
         window.reveal("view.scale")
         self.assertGreater(window.look_at_picture().share_different(before), 0.2)
-        self.assertIn("480", window.widget("figure.moving triangles")["value"].replace(",", ""))
+        self.assertIn("480", window.widget("figure.dynamic triangles")["value"].replace(",", ""))
         # A technique without it shows the picture.
         window.key("1")
         window.settle(technique="static", view="final")
