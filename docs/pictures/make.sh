@@ -21,6 +21,6 @@ done
 convert "$work/error.png" "$work/disagreement.png" +append -quality 88 "$here/wrong.jpg"
 
 # how a history converges
-"$run" measure frusta --history-frames 1,5,10,20,40,60 --size 512x512 --map 512 --spp 1 --shutter 0 -o "$work/converged"
+"$run" measure frusta --convergence 1,5,10,20,40,60 --size 512x512 --map 512 --spp 1 --shutter 0 -o "$work/converged"
 cp "$work/converged/frusta.png" "$here/history.png"
 cp "$work/converged/frusta-strip.png" "$here/history-detail.png"

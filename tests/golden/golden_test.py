@@ -21,8 +21,8 @@ EXPECTED = pathlib.Path(__file__).resolve().parent / "expected"
 OUT = pathlib.Path(os.environ.get("GOLDEN_OUT", "build/golden"))
 COMMON = ("--size", "160x120", "--spp", "4", "--map", "256", "--seed", "1")
 
-# Software renderers compile for the processor at hand: another order of sums, or a fused multiplication, changes a value
-# by a level or two, and moves a sample across an edge. One of four samples is up to 64 levels in one pixel.
+# Software renderers compile for the processor at hand: another order of sums, or a fused multiplication, changes a
+# value by a level or two, and moves a sample across an edge. One of four samples is up to 64 levels in one pixel.
 ROUNDING = {"levels": 6, "share": 0.004}
 # Every sample is tested in a map whose texels were drawn with such values: more edges, more samples at them.
 EDGES_OF_MAPS = {"levels": 6, "share": 0.012}
