@@ -193,7 +193,8 @@ std::map<std::string, std::set<std::string>> variantsByFile() {
     std::map<std::string, std::set<std::string>> variants;
     for (const gl::ProgramDescription& program : gl::programsBuilt()) {
         std::vector<std::string> defines;
-        for (const auto& [define, value] : program.defines) defines.push_back(define + "=" + value);
+        for (const auto& [define, value] : program.defines)
+            if (define != "TECHNIQUE_SETTINGS") defines.push_back(define + "=" + value);  // a block, no variant
         std::sort(defines.begin(), defines.end());
         std::string all;
         for (const std::string& define : defines) all += (all.empty() ? "" : " ") + define;
