@@ -46,11 +46,11 @@ class Pictures(ProgramTest):
         self.assertEqual(data, one)
 
     def test_every_setting_is_drawn_without_complaint(self):
-        plain = self.shot("pillars", "plain.png", *SMALL, "--technique", "tsm")
+        plain = self.shot("pillars", "default.png", *SMALL, "--technique", "tsm")
         for setting in ("tsm.dynamic_bias=on", "tsm.bias=16", "tsm.slope_bias=8"):
             with self.subTest(setting=setting):
                 self.assertNotEqual(plain, self.shot("pillars", "F.png", *SMALL, "--technique", "tsm", "--set", setting))
-        plain = self.shot("pillars", "plain.png", *SMALL, "--technique", "static")
+        plain = self.shot("pillars", "default.png", *SMALL, "--technique", "static")
         for radius in (1, 2, 3):
             with self.subTest(pcf_radius=radius):
                 soft = self.shot("pillars", "F.png", *SMALL, "--technique", "static", "--set", f"static.pcf_radius={radius}")
@@ -59,7 +59,7 @@ class Pictures(ProgramTest):
     def test_what_changes_the_picture(self):
         """Each option on its own, against one picture without it."""
         quick = ("--technique", "tsm", "--spp", "2", "--size", "96x72", "--map", "128")
-        plain = self.shot("chess", "plain.png", *quick)
+        plain = self.shot("chess", "default.png", *quick)
         for option in (("--seed", "2"), ("--frame", "7"), ("--time", "0.7"), ("--shutter", "3"), ("--camera", "knight"),
                        ("--view", "visibility"), ("--spp", "3"), ("--map", "64"), ("--fps", "7", "--shutter", "1"),
                        ("--shutter-position", "end"), ("--size", "72x96")):

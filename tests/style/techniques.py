@@ -31,7 +31,6 @@ ABOUT = {
     "tests/parity/sample_pass_test.cpp": ("static",),
     "tests/parity/shader_variants_test.cpp": ("exact", "tsm"),
     "tests/parity/technique_views_test.cpp": ("ranges",),
-    "tests/new_technique/new_technique_test.py": ("static",),  # draws the same
     "tests/technique/reload_test.cpp": ("exact",),  # changes its shader
     "tests/technique/acne_test.cpp": ("ranges", "temporal", "tsm"),
     "tests/technique/closed_form_test.cpp": ("accumulation", "history", "tsm"),
@@ -49,7 +48,6 @@ ABOUT = {
     "tests/cli/record_test.py": ("accumulation", "exact", "history", "ranges", "static", "temporal", "tsm"),  # the tour
     "tests/cli/refusals_test.py": ("accumulation", "exact", "static", "tsm"),
     "tests/cli/reports_test.py": ("accumulation", "exact", "history", "static", "tsm"),
-    "tests/new_technique/new_technique_test.py": ("static",),
     "tests/soak/soak.cpp": ("accumulation", "static"),
     "tests/unit/chart_test.cpp": ("exact", "tsm"),
     "tests/unit/include_arrows_test.cpp": ("accumulation", "static", "tsm"),
@@ -104,7 +102,7 @@ def without_comments(path, text):
 
 def named(path, text, of_techniques):
     """(line, name) for each place of a text that names a technique which the file is not about."""
-    if path == REGISTRY or path.startswith("tests/style/"):
+    if path == REGISTRY or path.startswith(("tests/style/", "tests/new_technique/")):
         return []
     code = without_comments(path, text)
     return [(code.count("\n", 0, match.start()) + 1, match.group(0))

@@ -28,12 +28,14 @@ struct Edit {
 /// A copy of the shaders that the program reads instead of the real ones.
 class ShaderCopy {
   public:
-    ShaderCopy() : folder_(fs::temp_directory_path() / ("timeshade-reload-" + std::to_string(::getpid()))) {
-        fs::copy(gl::shaderDirectory(), folder_, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    ShaderCopy()
+        : original_(gl::shaderDirectory()),
+          folder_(fs::temp_directory_path() / ("timeshade-reload-" + std::to_string(::getpid()))) {
+        fs::copy(original_, folder_, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
         ::setenv("TIMESHADE_SHADERS", folder_.c_str(), 1);
     }
     ~ShaderCopy() {
-        ::unsetenv("TIMESHADE_SHADERS");
+        ::setenv("TIMESHADE_SHADERS", original_.c_str(), 1);
         fs::remove_all(folder_);
     }
     void apply(const Edit& edit) const {
@@ -47,7 +49,7 @@ class ShaderCopy {
     }
 
   private:
-    fs::path folder_;
+    fs::path original_, folder_;
 };
 
 /// Every lookup asks lib/receiver.glsl whether the receiver faces the light.
