@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "frame/warm_up.h"
+#include "gl/errors.h"
 #include "measure/metrics.h"
 #include "report.h"
 #include "techniques/registry.h"
-#include "window/display_texture.h"
 #include "window/frame_times.h"
 #include "window/moment_key.h"
 
@@ -102,7 +102,7 @@ std::optional<ProbePoint> AccuracyProbe::step() {
     } catch (const std::exception& error) {
         failure_ = error.what();
         technique_.reset();
-        forgetGlErrors();
+        gl::takeErrors();  // not to be taken for the next picture's
     }
     return std::nullopt;
 }

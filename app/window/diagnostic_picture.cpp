@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "frame/warm_up.h"
+#include "gl/errors.h"
 #include "window/display_texture.h"
 #include "window/session.h"
 
@@ -41,7 +42,7 @@ bool DiagnosticPicture::update(Session& session, int pictureWidth) {
         failed_ = true;
         caption_ = error.what();
         technique_.reset();
-        forgetGlErrors();
+        gl::takeErrors();  // not to be taken for the next picture's
     }
     return true;
 }

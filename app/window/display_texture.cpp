@@ -14,9 +14,4 @@ void upload(std::optional<gl::Texture>& texture, const DisplayImage& image) {
     glTextureSubImage2D(texture->name(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
-void forgetGlErrors() {
-    for (int i = 0; i < 100 && glGetError() != GL_NO_ERROR; ++i) {
-    }
-}
-
 }  // namespace timeshade

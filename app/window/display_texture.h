@@ -10,8 +10,4 @@ namespace timeshade {
 /// Puts the image into the texture, which is made anew where its size differs. Its first row is the image's uppermost.
 void upload(std::optional<gl::Texture>& texture, const DisplayImage& image);
 
-/// After a failure: what OpenGL remembers of it must not be taken for the next picture's. A lost context reports for
-/// ever, so this ends.
-void forgetGlErrors();
-
 }  // namespace timeshade

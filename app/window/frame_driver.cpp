@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frame/warm_up.h"
+#include "gl/errors.h"
 #include "window/moment_key.h"
 
 namespace timeshade {
@@ -133,9 +134,8 @@ void FrameDriver::forgetTimes() {
 }
 
 void FrameDriver::fail(const char* what) {
-    // What OpenGL remembers of it must not be taken for the next picture's failure. A lost context reports for ever.
-    for (int i = 0; i < 100 && glGetError() != GL_NO_ERROR; ++i) {
-    }
+    // What OpenGL remembers of it must not be taken for the next picture's failure.
+    gl::takeErrors();
     failure_ = what;
     state_ = State::Failed;
     toMeasure_ = toSettle_ = 0;

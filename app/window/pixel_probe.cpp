@@ -6,6 +6,7 @@
 
 #include "frame/warm_up.h"
 #include "frame_setup.h"
+#include "gl/errors.h"
 #include "oracle/oracle.h"
 #include "techniques/registry.h"
 #include "window/display_texture.h"
@@ -72,7 +73,7 @@ bool PixelProbe::update(Session& session) {
     } catch (const std::exception& error) {
         caption_ = error.what();
         complete_ = true;
-        forgetGlErrors();
+        gl::takeErrors();  // not to be taken for the next picture's
     }
     return true;
 }

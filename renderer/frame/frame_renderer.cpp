@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "frame/buffer_check.h"
+#include "gl/errors.h"
 #include "technique/technique_views.h"
 
 namespace timeshade {
@@ -34,6 +35,7 @@ template <typename T>
 std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type) {
     std::vector<T> values(texture.bytes() / sizeof(T));
     glGetTextureImage(texture.name(), 0, format, type, static_cast<GLsizei>(texture.bytes()), values.data());
+    gl::requireNoErrors("reading back what was drawn");
     return values;
 }
 
@@ -122,6 +124,7 @@ bool FrameRenderer::step() {
         const auto timed = timer_.scope("shade");
         shadePass_.draw(render, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
     }
+    gl::requireNoErrors(fmt::format("a frame of {}", technique_->description().name));
     ++done_;
     if (checked_) checkBuffers();
     if (complete()) endFrame();
@@ -185,10 +188,12 @@ const gl::Texture& FrameRenderer::displayTexture() {
     if (techniqueView_) {
         heatMapPass_.draw(fullscreen_, *values_,
                           {techniqueView_->low, techniqueView_->high, techniqueView_->logarithmic}, *picture_);
-        return *picture_;
+    } else {
+        const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
+        displayPass_.draw(fullscreen_, *radiance_, scale, view_ == View::Final, *picture_);
     }
-    const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
-    displayPass_.draw(fullscreen_, *radiance_, scale, view_ == View::Final, *picture_);
+    gl::injectErrorForTest("display");
+    gl::requireNoErrors(fmt::format("the picture of {}", technique_->description().name));
     return *picture_;
 }
 

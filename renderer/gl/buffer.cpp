@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "gl/errors.h"
+
 namespace timeshade::gl {
 
 namespace {
@@ -13,10 +15,12 @@ GLuint createBuffer() {
 }
 }  // namespace
 
-Buffer::Buffer(const std::string& labelText, std::size_t byteCount)
+Buffer::Buffer(const std::string& labelText, std::size_t byteCount, const std::string& advice)
     : Object(createBuffer()), byteCount_(std::max<std::size_t>(byteCount, 16)) {
     label(GL_BUFFER, name(), labelText);
+    collectErrors();
     glNamedBufferStorage(name(), static_cast<GLsizeiptr>(byteCount_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    requireAllocated(labelText, byteCount_, advice);
 }
 
 void Buffer::uploadBytes(const void* data, std::size_t byteCount) {

@@ -12,10 +12,11 @@ struct DeleteBuffer {
     void operator()(GLuint name) const { glDeleteBuffers(1, &name); }
 };
 
-/// A buffer of a fixed size. Holds at least one byte, so that an empty list can be bound like any other.
+/// A buffer of a fixed size. Holds at least one byte, so that an empty list can be bound like any other. Construction
+/// throws LimitError, which ends in `advice`, where the device has no room for it.
 class Buffer : public Object<DeleteBuffer> {
   public:
-    Buffer(const std::string& labelText, std::size_t byteCount);
+    Buffer(const std::string& labelText, std::size_t byteCount, const std::string& advice = "draw fewer triangles");
 
     template <typename T>
     Buffer(const std::string& labelText, std::span<const T> data) : Buffer(labelText, data.size_bytes()) {

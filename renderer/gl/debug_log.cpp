@@ -2,6 +2,8 @@
 
 #include <glad/gl.h>
 
+#include "gl/errors.h"
+
 namespace timeshade::gl {
 
 namespace {
@@ -10,6 +12,7 @@ void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsize
     const bool counts = type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
                         type == GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR;
     if (!counts || severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+    if (type == GL_DEBUG_TYPE_ERROR) noteDriverMessage(std::string(text, static_cast<std::size_t>(length)));
     // The API hands user pointers back as const.
     static_cast<DebugLog*>(const_cast<void*>(user))->add(std::string(text, static_cast<std::size_t>(length)));
 }

@@ -57,14 +57,7 @@ void GrowingBuffer::reserve(std::size_t elements, const std::string& advice) {
     const std::size_t room = std::min({elements + elements / 32, largestBlock / each, maxTexels});
     view_.reset();
     buffer_.reset();  // first, so that both need not fit at once
-    while (glGetError() != GL_NO_ERROR) {
-    }
-    buffer_.emplace(label_, room * each);
-    if (glGetError() == GL_OUT_OF_MEMORY) {
-        buffer_.reset();
-        throw LimitError(
-            fmt::format("not enough GPU memory for '{}' ({:.0f} MiB): {}", label_, mebibytes(room * each), advice));
-    }
+    buffer_.emplace(label_, room * each, advice);
     view_ = Texture::ofBuffer(label_, format_, *buffer_);
 }
 

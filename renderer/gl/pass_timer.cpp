@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gl/errors.h"
+
 namespace timeshade::gl {
 
 PassTimer::PassTimer(Clock clock) : clock_(clock) {}
@@ -21,6 +23,7 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), ste
     } else {
         step.beginQuery = timer.timestamp();
     }
+    injectErrorForTest(step.name);
     timer.current_.push_back(std::move(step));
 }
 

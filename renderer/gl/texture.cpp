@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/errors.h"
 
 namespace timeshade::gl {
 
@@ -14,17 +15,13 @@ GLuint createTexture(GLenum target) {
     glCreateTextures(target, 1, &name);
     return name;
 }
-/// Reserves memory with `allocate`, and says what it was for where there is not enough.
+
+/// Reserves memory with `allocate`, and says what it was for where it can't be had.
 template <typename Allocate>
 void reserve(const std::string& labelText, std::size_t bytes, const Allocate& allocate) {
-    while (glGetError() != GL_NO_ERROR) {
-    }  // what went wrong before is not this texture's fault
+    collectErrors();
     allocate();
-    if (glGetError() == GL_OUT_OF_MEMORY)
-        throw Error(
-            fmt::format("not enough GPU memory for the texture '{}' ({:.0f} MiB); expected a smaller picture, map or "
-                        "number of samples",
-                        labelText, static_cast<double>(bytes) / (1024.0 * 1024.0)));
+    requireAllocated(labelText, bytes, "expected a smaller picture, map or number of samples");
 }
 
 }  // namespace
@@ -67,6 +64,14 @@ Texture Texture::image2D(const std::string& labelText, GLenum internalFormat, in
 }
 
 Texture Texture::ofBuffer(const std::string& labelText, GLenum internalFormat, const Buffer& buffer) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
+    const std::size_t texels = buffer.bytes() / bytesPerTexel(internalFormat);
+    if (texels > static_cast<std::size_t>(largest))
+        throw LimitError(fmt::format(
+            "'{}' has {} texels; this device's GL_MAX_TEXTURE_BUFFER_SIZE is {}: lower --map, or draw fewer "
+            "triangles",
+            labelText, texels, largest));
     Texture texture(GL_TEXTURE_BUFFER, labelText);
     glTextureBuffer(texture.name(), internalFormat, buffer.name());
     texture.format_ = internalFormat;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/dispatch.h"
 #include "shared/frame_blocks.shared.h"
 
 namespace timeshade {
@@ -43,7 +44,7 @@ std::size_t CellLists::scan(std::size_t multiple) {
                         .set("blocks", blocks)
                         .set("multiple", static_cast<std::uint32_t>(multiple)));
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-        glDispatchCompute(step == 1 ? 1 : blocks, 1, 1);
+        gl::dispatch(step == 1 ? 1 : blocks);
     }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     GLuint total = 0;

@@ -15,6 +15,8 @@ uniform uint cells;
 uniform uint blocks;
 uniform uint multiple;  // every list has room for a multiple of so many
 
+#include "lib/work_groups.glsl"
+
 shared uint sums[GROUP];
 
 uint plus(uint a, uint b) {
@@ -54,15 +56,16 @@ void main() {
     }
     if (thread == 0u) listOffsets[cells] = total;
 #else
-    uint first = gl_WorkGroupID.x * uint(LIST_SCAN_BLOCK) + thread * uint(PER_THREAD);
+    uint block = groupIndex();  // beyond the last one there are no cells
+    uint first = min(block, blocks) * uint(LIST_SCAN_BLOCK) + thread * uint(PER_THREAD);
     uint last = min(first + uint(PER_THREAD), cells);
     uint sum = 0u;
     for (uint i = first; i < last; ++i) sum = plus(sum, roomFor(listCursors[i]));
     uint before = exclusiveOverGroup(sum, total);
 #if SCAN_STEP == 0
-    if (thread == 0u) listBlocks[gl_WorkGroupID.x] = total;
+    if (thread == 0u && block < blocks) listBlocks[block] = total;
 #else
-    before = plus(before, listBlocks[gl_WorkGroupID.x]);
+    if (block < blocks) before = plus(before, listBlocks[block]);
     for (uint i = first; i < last; ++i) {
         uint count = roomFor(listCursors[i]);
         listOffsets[i] = before;

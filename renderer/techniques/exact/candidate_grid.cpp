@@ -4,6 +4,10 @@
 #include <array>
 #include <span>
 
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "gl/dispatch.h"
 #include "shared/candidate_bounds.shared.h"
 #include "shared/frame_blocks.shared.h"
 
@@ -13,9 +17,9 @@ namespace {
 
 /// Cells that one invocation visits alone; triangles with more share a work group.
 constexpr GLuint maxWalk = 256;
-constexpr GLuint groupSize = 64;
+constexpr std::size_t groupSize = 64;
 /// Groups that work on the queue of such triangles, whatever its length.
-constexpr GLuint largeGroups = 512;
+constexpr std::size_t largeGroups = 512;
 
 std::size_t deviceLimit() {
     GLint64 block = 0, texels = 0;
@@ -74,6 +78,11 @@ void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill
     if (casters == 0) return;
     const std::size_t items = casters * static_cast<std::size_t>(buckets_);
     const std::size_t queueBytes = (items + 1) * sizeof(GLuint);
+    if (items > maxCells())
+        throw LimitError(
+            fmt::format("{} casters in {} buckets need a block of {} bytes; this device's "
+                        "GL_MAX_SHADER_STORAGE_BLOCK_SIZE is less: lower exact.buckets",
+                        casters, buckets_, queueBytes));
     if (!queue_ || queue_->bytes() < queueBytes) queue_.emplace("casters of many cells", queueBytes);
     if (!fill) {
         const std::array<GLuint, 1> nothing{0};
@@ -95,11 +104,11 @@ void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill
                         .set("buckets", static_cast<std::uint32_t>(buckets_)));
         if (large) {
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-            glDispatchCompute(largeGroups, 1, 1);
+            gl::dispatch(largeGroups);
         } else {
             program.set("items", static_cast<std::uint32_t>(items));
             program.set("maxWalk", maxWalk);
-            glDispatchCompute((static_cast<GLuint>(items) + groupSize - 1) / groupSize, 1, 1);
+            gl::dispatch(gl::groupsFor(items, groupSize));
         }
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/dispatch.h"
 #include "techniques/ranges/bindings.shared.h"
 
 namespace timeshade {
@@ -103,7 +104,7 @@ void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& mot
         programs_.get({.label = "ranges generate", .compute = "techniques/ranges/generate.comp"});
     program.use(gl::Inputs().set("texels", static_cast<std::uint32_t>(size * size)));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    if (places_ > 0) glDispatchCompute(static_cast<GLuint>((size * size + 63) / 64), 1, 1);
+    if (places_ > 0) gl::dispatch(gl::groupsFor(size * size, 64));
     CellLists::finishFill();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gl/dispatch.h"
 #include "shared/linked_intervals.shared.h"
 #include "techniques/ranges/bindings.shared.h"
 
@@ -98,7 +99,7 @@ void LinkedRanges::generate() {
     const gl::Program& program =
         programs_.get({.label = "published ranges generate", .compute = "techniques/ranges/published_generate.comp"});
     program.use(gl::Inputs().set("texels", static_cast<std::uint32_t>(texels_)));
-    glDispatchCompute(static_cast<GLuint>((texels_ + 63) / 64), 1, 1);
+    gl::dispatch(gl::groupsFor(texels_, 64));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 

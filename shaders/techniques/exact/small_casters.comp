@@ -3,6 +3,7 @@
 #include "techniques/exact/candidates.glsl"
 
 layout(local_size_x = 64) in;
+#include "lib/work_groups.glsl"
 layout(std430, binding = TECHNIQUE_STORAGE_BINDING + 1) buffer Queue {
     uint queued;
     uint queue[];
@@ -10,7 +11,7 @@ layout(std430, binding = TECHNIQUE_STORAGE_BINDING + 1) buffer Queue {
 uniform uint maxWalk;  // cells
 
 void main() {
-    uint item = gl_GlobalInvocationID.x;
+    uint item = invocationIndex();
     if (item >= items) return;
     SweptCaster c = sweptCasterOf(item);
     ivec2 extent = max(c.high - c.low, ivec2(0));

@@ -9,6 +9,7 @@
 #include "lib/cell_lists.glsl"
 
 layout(local_size_x = 64) in;
+#include "lib/work_groups.glsl"
 layout(std430, binding = LIST_OFFSETS_BINDING) readonly buffer ListOffsets { uint listOffsets[]; };
 layout(std430, binding = RANGES_COUNTS_BINDING) buffer RangeCounts {
     uint unpairedLists;  // texels with a triangle that left an odd number of fragments there
@@ -110,7 +111,7 @@ void pairUnpairedList(uint first, uint last, uint room) {
 }
 
 void main() {
-    uint texel = gl_GlobalInvocationID.x;
+    uint texel = invocationIndex();
     if (texel >= texels) return;
     uint first = listOffsets[texel], last = listCursors[texel];
     if (first == last) return;

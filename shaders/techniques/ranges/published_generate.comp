@@ -13,6 +13,7 @@ layout(std430, binding = LINKED_RANGE_HEADS_BINDING) writeonly buffer RangeHeads
 layout(std430, binding = LINKED_RANGES_BINDING) writeonly buffer Ranges { uint ranges[]; };
 
 layout(local_size_x = 64) in;
+#include "lib/work_groups.glsl"
 uniform uint texels;
 
 struct PrismFragment {
@@ -60,7 +61,7 @@ uint addRange(PrismFragment a, PrismFragment b, uint id, uint next) {
 }
 
 void main() {
-    uint texel = gl_GlobalInvocationID.x;
+    uint texel = invocationIndex();
     if (texel >= texels) return;
     uint head = NO_INTERVAL, length = 0u;
     bool odd = false;
