@@ -11,6 +11,7 @@
 #include "make_context.h"
 #include "measure/case_matrix.h"
 #include "measure/case_picture.h"
+#include "standard_error.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -86,7 +87,7 @@ int runCases(const CasesOptions& options) {
     std::size_t wrong = 0;
     for (const CaseResult& r : results) wrong += r.verdict == Verdict::Wrong ? 1u : 0u;
     if (wrong == 0) return 0;
-    fmt::print(stderr, "timeshade: {} of {} cells are wrong\n", wrong, results.size());
+    tell(fmt::format("{} of {} cells are wrong", wrong, results.size()));
     return 1;
 }
 

@@ -1,18 +1,17 @@
-#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <system_error>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "core/error.h"
 #include "headless.h"
 #include "interactive.h"
 #include "measure.h"
 #include "options/command.h"
+#include "standard_error.h"
 #include "verify.h"
 
 namespace {
@@ -31,18 +30,16 @@ struct Runner {
     int operator()(const ListOptions& options) const { return runList(options); }
 };
 
-/// One line, whatever the names and values in it hold.
-int fail(int code, std::string what) {
+int fail(int code, const std::string& what) {
     std::fflush(stdout);
-    std::replace_if(
-        what.begin(), what.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    fmt::print(stderr, "timeshade: error: {}\n", what);
+    tell("error: " + what);
     return code;
 }
 
 }  // namespace
 
 int main(int argumentCount, char** arguments) {
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that is gone is an error of writing
     try {
         const int code = std::visit(Runner{}, parseCommandLine(argumentCount, arguments));
         if (std::fflush(stdout) != 0)

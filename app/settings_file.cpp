@@ -1,14 +1,15 @@
 #include "settings_file.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/json_limits.h"
 #include "json_lines.h"
 
 namespace timeshade {
@@ -24,7 +25,41 @@ std::vector<std::string> optionOf(const std::string& key, const std::string& val
     return {"--" + key + "=" + value};
 }
 
+/// Says what to draw and how to measure it. Not what names an output, a device or a folder, nor what asks for help: a
+/// file that comes with a scene may be anybody's, and looking at a picture must not overwrite anything.
+constexpr std::array allowedKeys{"scene",       "size",
+                                 "spp",         "map",
+                                 "seed",        "frame",
+                                 "time",        "fps",
+                                 "clip",        "shutter",
+                                 "instant",     "camera",
+                                 "pose",        "shutter-position",
+                                 "technique",   "view",
+                                 "compare",     "compare-mode",
+                                 "seam",        "force-dynamic",
+                                 "no-plan",     "no-cache",
+                                 "no-keep",     "frames",
+                                 "codec",       "quality",
+                                 "techniques",  "maps",
+                                 "spps",        "rounds",
+                                 "sequence",    "reference",
+                                 "vary",        "reference-rays",
+                                 "convergence", "effects",
+                                 "max-ppm",     "history-frames",
+                                 "set"};
+
+void requireAllowed(const std::string& key, const std::string& place) {
+    if (std::find(allowedKeys.begin(), allowedKeys.end(), key) == allowedKeys.end())
+        throw Error(
+            fmt::format("{}: \"{}\" is not a setting of a file; expected options that say what to draw, not "
+                        "where to write or on which device",
+                        place, key));
+}
+
 nlohmann::json parsed(const std::string& text, const std::string& path) {
+    if (isNestedTooDeeply(text))
+        throw Error(
+            fmt::format("{}: is nested more than {} levels deep; expected an object of settings", path, deepestJson));
     try {
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
@@ -49,12 +84,13 @@ std::vector<FileSetting> settingsOfJson(const std::string& text, const std::stri
         if (key == "set" && value.is_object()) {
             for (const auto& [name, setting] : value.items())
                 settings.push_back({name, {"--set=" + name + "=" + textOf(setting)}, placeOf("set/" + name)});
-        } else if (key == "window" && value.is_object()) {
             continue;
-        } else if (key == "settings" || key == "help") {
-            throw Error(
-                fmt::format("{}: \"{}\" is not a setting; expected options that say what to draw", placeOf(key), key));
-        } else if (value.is_primitive() && !value.is_null()) {
+        }
+        if (key == "window" && value.is_object()) {
+            continue;
+        }
+        requireAllowed(key, placeOf(key));
+        if (value.is_primitive() && !value.is_null()) {
             settings.push_back({key, optionOf(key, textOf(value)), placeOf(key)});
         } else {
             throw Error(fmt::format("{}: \"{}\" is {}; expected a number, a string or a switch", placeOf(key), key,
@@ -65,12 +101,18 @@ std::vector<FileSetting> settingsOfJson(const std::string& text, const std::stri
 }
 
 std::string textOfFile(const std::string& path, const std::string& option) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(fmt::format("{} '{}': {}; expected a JSON file of settings", option, path, why));
+    };
     std::ifstream stream(path);
-    std::ostringstream bytes;
     // A folder opens like a file and fails only when it is read.
-    if (!stream || stream.peek() == std::ifstream::traits_type::eof() || !(bytes << stream.rdbuf()))
-        throw Error(fmt::format("{} '{}': cannot be read; expected a JSON file of settings", option, path));
-    return bytes.str();
+    if (!stream || stream.peek() == std::ifstream::traits_type::eof()) refuse("cannot be read");
+    std::string bytes(largestSettingsFile + 1, '\0');  // a device has no size, and may have no end
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (stream.bad()) refuse("cannot be read");
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    if (bytes.size() > largestSettingsFile) refuse(fmt::format("has more than {} bytes", largestSettingsFile));
+    return bytes;
 }
 
 std::vector<FileSetting> readSettingsFile(const std::string& path) {

@@ -19,6 +19,7 @@
 #include "progress.h"
 #include "report.h"
 #include "scene_catalogue.h"
+#include "standard_error.h"
 
 namespace timeshade {
 
@@ -94,7 +95,7 @@ int runShot(const ShotOptions& options) {
     if (!options.json.empty()) requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     FrameRequest request = requestFor(options, *scene);
-    for (const std::string& note : scene->notes()) fmt::print(stderr, "timeshade: note: {}\n", note);
+    for (const std::string& note : scene->notes()) tellNote(note);
 
     const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
     const DriverWatch watch(options.debugGl);

@@ -15,6 +15,7 @@
 #include "report.h"
 #include "sample_dump.h"
 #include "scene_catalogue.h"
+#include "standard_error.h"
 
 namespace timeshade {
 
@@ -125,8 +126,7 @@ int runVerify(const VerifyOptions& options) {
         fmt::print("{}", asText(verification, options.scene, options.technique));
     if (!options.json.empty() && options.json != "-") writeFileAtomically(options.json, json);
     if (options.maxPpm && verification.ppm() > *options.maxPpm) {
-        fmt::print(stderr, "timeshade: {} ppm disagree; at most {:g} were allowed\n", verification.ppm(),
-                   *options.maxPpm);
+        tell(fmt::format("{} ppm disagree; at most {:g} were allowed", verification.ppm(), *options.maxPpm));
         return 3;
     }
     return 0;

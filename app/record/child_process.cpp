@@ -53,14 +53,16 @@ class SpawnAttributes {
     posix_spawnattr_t attributes_;
 };
 
-/// Which of our descriptors become the child's standard ones. All others are closed by themselves.
+/// Which of our descriptors become the child's. All others are closed, those that libraries have opened included.
 class SpawnActions {
   public:
-    SpawnActions(int input, int log) {
+    SpawnActions(int input, int log, int handed) {
         posix_spawn_file_actions_init(&actions_);
         posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
         posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_adddup2(&actions_, log, STDERR_FILENO);
+        posix_spawn_file_actions_adddup2(&actions_, handed, ChildProcess::handedDescriptor);
+        posix_spawn_file_actions_addclosefrom_np(&actions_, ChildProcess::handedDescriptor + 1);
     }
     ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
     SpawnActions(const SpawnActions&) = delete;
@@ -73,7 +75,7 @@ class SpawnActions {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command) {
+ChildProcess::ChildProcess(const std::vector<std::string>& command, int handed) {
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -83,7 +85,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) failStarting(command.front(), errno);
     input_ = ends[0];
     log_ = ::memfd_create("child's standard error", MFD_CLOEXEC);
-    const SpawnActions actions(ends[1], log_);
+    const SpawnActions actions(ends[1], log_, handed);
     const SpawnAttributes attributes;
     const int failure =
         log_ < 0 ? errno

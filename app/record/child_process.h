@@ -12,8 +12,12 @@ namespace timeshade {
 /// group of its own, so that Ctrl-C reaches it only through us. When this process dies, its input ends.
 class ChildProcess {
   public:
-    /// Starts `command.front()`, found on PATH. Throws Error that names it where that fails.
-    explicit ChildProcess(const std::vector<std::string>& command);
+    /// The number under which the child has the descriptor that it is handed.
+    static constexpr int handedDescriptor = 3;
+
+    /// Starts `command.front()`, found on PATH. Of this process's descriptors it gets `handed` alone, its standard ones
+    /// aside. Throws Error that names it where that fails.
+    ChildProcess(const std::vector<std::string>& command, int handed);
     /// Kills it where it still runs, and leaves no zombie.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;

@@ -1,8 +1,9 @@
 #include "record/frame_progress.h"
 
+#include "standard_error.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,7 +13,7 @@ namespace timeshade {
 FrameProgress::FrameProgress(int frames) : shown_(isatty(STDERR_FILENO) == 1), frames_(frames) {}
 
 FrameProgress::~FrameProgress() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) writeToStandardError("\r\033[K");
 }
 
 double FrameProgress::secondsSoFar() const {
@@ -23,8 +24,7 @@ void FrameProgress::update(int done) const {
     if (!shown_) return;
     const std::string left =
         done > 0 ? fmt::format(", {} left", inClockWords(secondsSoFar() / done * (frames_ - done))) : "";
-    fmt::print(stderr, "\r\033[Ktimeshade: frame {} of {}{}", done, frames_, left);
-    std::fflush(stderr);
+    writeToStandardError(fmt::format("\r\033[Ktimeshade: frame {} of {}{}", done, frames_, left));
 }
 
 std::string inClockWords(double seconds) {

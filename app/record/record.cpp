@@ -17,6 +17,7 @@
 #include "record/video_file.h"
 #include "report.h"
 #include "scene_catalogue.h"
+#include "standard_error.h"
 
 namespace timeshade {
 
@@ -40,7 +41,7 @@ std::vector<ReadyPart> readyParts(const std::vector<ScriptPart>& parts, FrameRen
         std::shared_ptr<const Scene> scene =
             same ? ready.back().scene : openScene(part.drawn.scene, part.drawn.clip, part.drawn.settings);
         if (!same)
-            for (const std::string& note : scene->notes()) fmt::print(stderr, "timeshade: note: {}\n", note);
+            for (const std::string& note : scene->notes()) tellNote(note);
         auto painter = std::make_unique<PartPainter>(renderer, part, *scene, text);
         ready.push_back({&part, std::move(scene), std::move(painter)});
     }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/json_limits.h"
 #include "options/command.h"
 #include "settings_file.h"
 
@@ -89,7 +90,8 @@ std::vector<ScriptPart> partsOf(const RecordOptions& options) {
         return {part};
     }
     const std::string text = textOfFile(options.script, "--script");
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    const nlohmann::json json =
+        isNestedTooDeeply(text) ? nlohmann::json() : nlohmann::json::parse(text, nullptr, false);
     if (!json.is_object() || !json.contains("parts") || !json["parts"].is_array() || json["parts"].empty())
         throw Error(
             fmt::format("{}: expected a JSON object with \"parts\", an array of at least one part", options.script));

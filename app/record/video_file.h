@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "image/part_file.h"
 #include "record/child_process.h"
 #include "record/frame_sink.h"
 #include "record/video_codec.h"
@@ -16,13 +17,13 @@ struct VideoFormat {
     int quality = 18;  ///< the encoder's constant rate factor, 0 .. 51: less is better and larger
 };
 
-/// An MP4 file, made by the program ffmpeg from raw frames. It grows under a temporary name beside the path and is
-/// renamed when whole. Should this process be killed, ffmpeg closes the temporary file, which can then be played.
+/// An MP4 file, made by the program ffmpeg from raw frames. It grows under a temporary name beside the path (PartFile)
+/// and is renamed when whole; the encoder is handed the open file, never a name. Should this process be killed, ffmpeg
+/// closes the temporary file, which can then be played.
 class VideoFile final : public FrameSink {
   public:
     /// Throws Error where ffmpeg can't be started or the path can't be written to, UsageError for an odd size.
     VideoFile(std::filesystem::path path, const VideoFormat& format);
-    /// Takes the temporary file away unless it has been renamed.
     ~VideoFile() override;
 
     void add(const DisplayImage& frame) override;
@@ -32,7 +33,8 @@ class VideoFile final : public FrameSink {
   private:
     [[noreturn]] void fail();
 
-    std::filesystem::path path_, part_;
+    std::filesystem::path path_;
+    PartFile part_;
     ChildProcess encoder_;
     int frames_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/json_limits.h"
 #include "image/image_file.h"
 #include "measure/user_folder.h"
 #include "settings_file.h"
@@ -53,7 +54,8 @@ bool take(const std::string& key, const nlohmann::json& value, WindowMemory& mem
 }  // namespace
 
 WindowMemory memoryOfJson(const std::string& text, const std::string& path) {
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    const nlohmann::json json =
+        isNestedTooDeeply(text) ? nlohmann::json() : nlohmann::json::parse(text, nullptr, false);
     if (!json.is_object())
         throw Error(fmt::format("{}: is no JSON object; the window begins as at a first start", path));
     WindowMemory memory;

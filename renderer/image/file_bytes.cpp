@@ -10,6 +10,9 @@
 #include <memory>
 #include <system_error>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 namespace timeshade {
 namespace {
 
@@ -24,10 +27,14 @@ struct CloseFile {
 }  // namespace
 
 std::vector<unsigned char> readFileBytes(const std::filesystem::path& path) {
-    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-    if (file == nullptr) {
-        failReading(path, errno);
-    }
+    // Not blocking: a pipe in a file's place would be waited for until somebody writes into it.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) failReading(path, errno);
+    const std::unique_ptr<std::FILE, CloseFile> file(::fdopen(descriptor, "rb"));
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0) failReading(path, errno);
+    if (S_ISDIR(status.st_mode)) failReading(path, EISDIR);
+    if (!S_ISREG(status.st_mode)) throw Error(fmt::format("cannot read {}: is not a regular file", path.string()));
     std::vector<unsigned char> bytes;
     std::array<unsigned char, 65536> block;
     std::size_t count = 0;

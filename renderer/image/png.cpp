@@ -1,19 +1,17 @@
 #include "core/check.h"
 #include "core/error.h"
+#include "image/decoders.h"
 #include "image/file_bytes.h"
 #include "image/image_file.h"
 
 #include <fmt/format.h>
-#include <stb_image.h>
 #include <stb_image_write.h>
-
-#include <limits>
-#include <memory>
 
 namespace timeshade {
 namespace {
 
 constexpr int channels = 3;
+constexpr int maximumSide = 1 << 15;
 
 std::size_t byteCount(const DisplayImage& image) {
     return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
@@ -50,10 +48,6 @@ std::vector<char> textChunk(const std::string& keyword, const std::string& text)
     return chunk;
 }
 
-struct FreePixels {
-    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
-};
-
 }  // namespace
 
 void writePng(const std::filesystem::path& path, const DisplayImage& image, const std::string& note) {
@@ -74,18 +68,16 @@ void writePng(const std::filesystem::path& path, const DisplayImage& image, cons
 
 DisplayImage readPng(const std::filesystem::path& path) {
     const std::vector<unsigned char> bytes = readFileBytes(path);
-    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-        throw Error(fmt::format("cannot read {}: {} bytes, expected a PNG below 2 GiB", path.string(), bytes.size()));
+    try {
+        const ForeignImage read = decodePng(bytes, {maximumSide, std::size_t{4} * maximumSide * maximumSide});
+        DisplayImage image{read.width, read.height, {}};
+        image.rgb.reserve(byteCount(image));
+        for (std::size_t i = 0; i < read.rgba.size(); i += 4)
+            image.rgb.insert(image.rgb.end(), {read.rgba[i], read.rgba[i + 1], read.rgba[i + 2]});
+        return image;
+    } catch (const Error& error) {
+        throw Error(fmt::format("cannot read {}: {}, expected a PNG", path.string(), error.what()));
     }
-    DisplayImage image;
-    int channelsFound = 0;
-    const std::unique_ptr<stbi_uc, FreePixels> pixels(stbi_load_from_memory(
-        bytes.data(), static_cast<int>(bytes.size()), &image.width, &image.height, &channelsFound, channels));
-    if (pixels == nullptr) {
-        throw Error(fmt::format("cannot read {}: {}, expected a PNG", path.string(), stbi_failure_reason()));
-    }
-    image.rgb.assign(pixels.get(), pixels.get() + byteCount(image));
-    return image;
 }
 
 }  // namespace timeshade

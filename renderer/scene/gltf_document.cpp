@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "core/json_limits.h"
 #include "core/one_line.h"
 
 namespace timeshade::gltf {
@@ -64,34 +65,12 @@ Chunks splitBinaryGltf(std::span<const std::uint8_t> bytes) {
     return chunks;
 }
 
-/// Recursive code (values stored as extras) relies on this limit of nesting.
-void refuseDeepNesting(std::string_view text) {
-    constexpr int deepest = 256;
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                quoted = false;
-        } else if (c == '"') {
-            quoted = true;
-        } else if (c == '{' || c == '[') {
-            if (++depth > deepest) throw Error(fmt::format("its JSON is nested more than {} levels deep", deepest));
-        } else if (c == '}' || c == ']') {
-            --depth;
-        }
-    }
-}
-
 nlohmann::json parseJson(std::span<const std::uint8_t> bytes) {
     std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.size() > maxJsonBytes)
         throw Error(fmt::format("has {} bytes of JSON, the limit is {}", text.size(), maxJsonBytes));
     while (!text.empty() && text.back() == '\0') text.remove_suffix(1);  // some writers pad the chunk with zeros
-    refuseDeepNesting(text);
+    if (isNestedTooDeeply(text)) throw Error(fmt::format("its JSON is nested more than {} levels deep", deepestJson));
     try {
         nlohmann::json root = nlohmann::json::parse(text);
         if (!root.is_object()) throw Error("is not glTF: its JSON is not an object");
@@ -143,7 +122,11 @@ Document parseDocument(Bytes bytes) {
 }
 
 Document readDocument(const std::filesystem::path& path, std::size_t limit) {
-    return parseDocument(readRegularFile(path, limit));
+    Bytes bytes = readRegularFile(path, limit);
+    const Sha256 digest = sha256(bytes);
+    Document document = parseDocument(std::move(bytes));
+    document.digest = digest;
+    return document;
 }
 
 }  // namespace timeshade::gltf

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/sha256.h"
 #include "scene/gltf_files.h"
 
 namespace timeshade::gltf {
@@ -12,6 +13,7 @@ namespace timeshade::gltf {
 struct Document {
     nlohmann::json json;                       ///< an object
     std::shared_ptr<const Bytes> binaryChunk;  ///< the BIN chunk of a .glb, or null
+    Sha256 digest{};                           ///< of the file's bytes
 };
 
 /// Reads the file, unpacks a .glb container, parses the JSON, and throws Error for every required extension that is not

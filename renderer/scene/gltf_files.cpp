@@ -130,4 +130,15 @@ std::shared_ptr<const Bytes> FilesBeside::read(const std::string& uri) {
     }
 }
 
+Sha256 FilesBeside::digest() const {
+    Bytes names;
+    for (const auto& [path, bytes] : known_) {
+        const std::string name = path.filename().string();
+        names.insert(names.end(), name.begin(), name.end());
+        const Sha256 content = sha256(*bytes);
+        names.insert(names.end(), content.begin(), content.end());
+    }
+    return sha256(names);
+}
+
 }  // namespace timeshade::gltf

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/sha256.h"
+
 namespace timeshade::gltf {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -24,6 +26,9 @@ class FilesBeside {
 
     /// The bytes of a buffer's or image's `uri`. Throws Error if it must not or cannot be read.
     std::shared_ptr<const Bytes> read(const std::string& uri);
+
+    /// Of the names and contents of all files read so far; data URIs are part of the model's own file.
+    Sha256 digest() const;
 
   private:
     std::filesystem::path resolve(const std::string& uri) const;

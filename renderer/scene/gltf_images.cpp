@@ -1,58 +1,35 @@
 #include "scene/gltf_images.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
-#include <stb_image.h>
 
 #include "core/error.h"
 #include "core/one_line.h"
+#include "image/foreign_image.h"
 #include "scene/gltf_accessors.h"
 
 namespace timeshade::gltf {
 
 namespace {
 
-constexpr int largestSide = 8192;
 constexpr std::size_t largestTotal = std::size_t{1} << 30;  // bytes of decoded images
 
-bool startsWith(std::span<const std::uint8_t> bytes, std::initializer_list<int> magic) {
-    if (bytes.size() < magic.size()) return false;
-    std::size_t i = 0;
-    for (const int value : magic)
-        if (bytes[i++] != value) return false;
-    return true;
-}
-
-/// Only PNG and JPEG, as glTF specifies; the decoder's other formats are not exposed to untrusted files.
+/// Whatever is tried counts, so that many images that fail at their end cannot cost more than those that are good.
 Image decode(std::span<const std::uint8_t> bytes, std::size_t& budget) {
-    if (!startsWith(bytes, {0x89, 'P', 'N', 'G'}) && !startsWith(bytes, {0xff, 0xd8, 0xff}))
-        throw Error("neither PNG nor JPEG");
-    if (bytes.size() > (std::size_t{1} << 30)) throw Error("too large");
-    const auto length = static_cast<int>(bytes.size());
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0)
-        throw Error("its header is damaged");
-    if (width < 1 || height < 1 || width > largestSide || height > largestSide)
-        throw Error(fmt::format("{}x{} pixels, the limit is {} a side", width, height, largestSide));
-    const std::size_t size = std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    // Neither format compresses better than about 1000 : 1, so a larger size cannot be true.
-    if (size / 2048 > bytes.size())
-        throw Error(fmt::format("{} bytes cannot hold {}x{} pixels", bytes.size(), width, height));
-    if (size > budget) throw Error("the limit on bytes of images is used up");
-
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(bytes.data(), length, &width, &height, &channels, 4), &stbi_image_free);
-    if (!pixels) throw Error("damaged");
-    budget -= size;
+    ImageLimits limits;
+    limits.bytes = budget;
+    budget -= std::min(budget, bytes.size());
+    ForeignImage decoded = decodeImage(bytes, limits);
+    budget -= std::min(budget, decoded.rgba.size());
     Image image;
-    image.width = width;
-    image.height = height;
-    image.rgba.assign(pixels.get(), pixels.get() + size);
+    image.width = decoded.width;
+    image.height = decoded.height;
+    image.rgba = std::move(decoded.rgba);
     return image;
 }
 

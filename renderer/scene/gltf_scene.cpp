@@ -85,7 +85,11 @@ class GltfScene final : public Scene {
         notes_.push_back(fmt::format("{} more notes like these", more));
     }
 
+    /// What contentDigest() says from now on.
+    void setDigest(std::string digest) { digest_ = std::move(digest); }
+
     const std::string& name() const override { return name_; }
+    std::string contentDigest() const override { return digest_; }
     double duration() const override { return duration_; }
     const SceneDefaults& defaults() const override { return defaults_; }
     const std::vector<Material>& materials() const override { return looks_.materials; }
@@ -117,7 +121,7 @@ class GltfScene final : public Scene {
     void measure();
     bool loops() const;
 
-    std::string name_;
+    std::string name_, digest_;
     ClipNames clips_;
     NodeMotion motion_;
     Stage stage_;
@@ -280,6 +284,7 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     std::vector<std::string> defaultNotes;
     const SceneDefaults defaults = readDefaults(document.json, model.scene, scene->duration(), defaultNotes);
     scene->setDefaults(defaults, std::move(defaultNotes));
+    scene->setDigest(toHex(document.digest) + " " + toHex(files.digest()));
     return scene;
 }
 

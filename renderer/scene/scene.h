@@ -84,6 +84,9 @@ class Scene {
         static const std::vector<SceneParameter> none;
         return none;
     }
+    /// Names what the scene is made of: with one program, equal texts mean equal scenes but for the clip. Of a file: a
+    /// SHA-256 over it and the files that it refers to. Of a computed scene: its name and parameters.
+    virtual std::string contentDigest() const;
 };
 
 }  // namespace timeshade

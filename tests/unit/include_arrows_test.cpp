@@ -33,7 +33,7 @@ struct Include {
 /// directly in the folder: the interface and the registry, no technique.
 const std::map<std::string, std::vector<std::string>> arrows{
     {"core", {"core/"}},
-    {"scene", {"scene/", "core/"}},
+    {"scene", {"scene/", "image/", "core/"}},
     {"scenes", {"scenes/", "scene/", "core/", "shared/"}},
     {"image", {"image/", "core/"}},
     {"chart", {"chart/", "image/", "core/"}},
@@ -65,7 +65,10 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> libraries{
     {"CLI/", {"app/"}},
     {"tiny_gltf", {"renderer/scene/"}},
     {"tinyexr", {"renderer/image/"}},
-    {"stb_", {"renderer/image/", "renderer/scene/", "renderer/chart/"}},
+    {"stb_", {"renderer/image/", "renderer/chart/"}},
+    {"png.h", {"renderer/image/"}},
+    {"jpeglib", {"renderer/image/"}},
+    {"jerror", {"renderer/image/"}},
     {"embree", {"renderer/oracle/", "renderer/measure/"}},
     {"tbb", {"renderer/oracle/"}},
     {"gtest", {}},
