@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/folder_lock.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "make_context.h"
@@ -110,6 +111,7 @@ int runConvergence(const MeasureOptions& options) {
     if (failure)
         throw Error(
             fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    const FolderLock lock(folder);
     std::vector<int> frames = options.convergenceFrames;
     std::sort(frames.begin(), frames.end());
     std::vector<std::string> names = options.measuredScenes;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/folder_lock.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
 #include "image/image_file.h"
@@ -40,6 +41,7 @@ int runEffects(const MeasureOptions& options) {
     if (failure)
         throw Error(
             fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    const FolderLock lock(folder);
     std::vector<std::string> names = options.measuredScenes;
     if (names.empty())
         for (const BuiltInScene& scene : showcase()) names.push_back(scene.name);

@@ -3,7 +3,6 @@
 #include <timeshade/commit.h>  // generated
 #include <unistd.h>
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -12,6 +11,7 @@
 
 #include "convergence.h"
 #include "core/error.h"
+#include "core/folder_lock.h"
 #include "effects.h"
 #include "frame_setup.h"
 #include "gl_checks.h"
@@ -20,6 +20,7 @@
 #include "measure/technique_variant.h"
 #include "report.h"
 #include "scene_catalogue.h"
+#include "standard_error.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -75,8 +76,7 @@ std::vector<std::string> planLines(const SweepScene& scene, const std::string& t
 void showProgress(const std::string& what, int done, int total, double secondsLeft) {
     if (isatty(STDERR_FILENO) != 1) return;
     const std::string left = secondsLeft < 0.0 ? "" : fmt::format(", {:.0f} s left", secondsLeft);
-    fmt::print(stderr, "\r\033[Ktimeshade: {} of {}{}: {}", done + 1, total, left, what);
-    std::fflush(stderr);
+    writeToStandardError(fmt::format("\r\033[Ktimeshade: {} of {}{}: {}", done + 1, total, left, what));
 }
 
 /// Opens the scenes to measure, a varied one once for each of its values; `scenes` owns them.
@@ -110,6 +110,7 @@ int runMeasure(const MeasureOptions& options) {
     if (failure)
         throw Error(
             fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    const FolderLock lock(folder);
 
     SweepOptions sweep;
     std::vector<std::unique_ptr<Scene>> scenes;
@@ -123,14 +124,16 @@ int runMeasure(const MeasureOptions& options) {
     sweep.referenceSamples = options.referenceSamples;
     sweep.referenceRays = options.referenceRays;
     sweep.journal = folder / "rows.jsonl";
+    sweep.commit = TIMESHADE_COMMIT;
     sweep.progress = showProgress;
+    sweep.note = tellNote;
 
     const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
     const DriverWatch watch(options.debugGl);
     FrameRenderer renderer;
     ReferenceCache cache;
     const std::vector<SweepRow> rows = runSweep(renderer, sweep, cache);
-    if (isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\033[K");
+    if (isatty(STDERR_FILENO) == 1) writeToStandardError("\r\033[K");
     watch.requireSilence();
 
     SweepManifest manifest;

@@ -14,6 +14,7 @@ PictureFolder::PictureFolder(std::filesystem::path folder) : folder_(std::move(f
     if (failure)
         throw Error(
             fmt::format("{}: cannot be made ({}); expected a folder to write to", folder_.string(), failure.message()));
+    lock_.emplace(folder_);
     requireWritable(pathOf(0));
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
+#include "core/folder_lock.h"
 #include "record/frame_sink.h"
 
 namespace timeshade {
@@ -20,6 +22,7 @@ class PictureFolder final : public FrameSink {
     std::filesystem::path pathOf(int number) const;
 
     std::filesystem::path folder_;
+    std::optional<FolderLock> lock_;
     int frames_ = 0;
 };
 

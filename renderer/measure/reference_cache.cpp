@@ -102,6 +102,11 @@ std::optional<LinearImage> readChecked(const fs::path& file, const std::string& 
     return decode(readFileBytes(file), key, width, height);
 }
 
+/// What is measured is nobody else's business. A folder that is there keeps its permissions.
+void makePrivateFolder(const fs::path& folder) {
+    if (fs::create_directories(folder)) fs::permissions(folder, fs::perms::owner_all);
+}
+
 /// One of our images, or what a killed process left of writing one. Nothing else in the folder is ever deleted.
 enum class Kind { foreign, image, leftover };
 
@@ -160,7 +165,7 @@ bool ReferenceCache::store(const std::string& key, const LinearImage& image) con
         return false;
     }
     try {
-        fs::create_directories(folder_);
+        makePrivateFolder(folder_);
         const fs::path file = fileOf(key, image.width, image.height);
         const std::vector<unsigned char> bytes = encode(key, image);
         writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "frame/warm_up.h"
 #include "measure/display_encoding.h"
 #include "measure/embree_baseline.h"
+#include "measure/made_with.h"
 #include "measure/reference.h"
 #include "measure/reference_noise.h"
 #include "measure/reference_technique.h"
@@ -198,40 +201,66 @@ std::vector<SweepPoint> pointsOf(const SweepOptions& options, const SweepScene& 
     return points;
 }
 
-bool wanted(FrameState state, const SweepOptions& options) {
+bool isWanted(FrameState state, const SweepOptions& options) {
     return state != FrameState::Filling || options.sequence > 0;
 }
 
-bool measured(const SweepJournal& journal, const SweepPoint& point, const SweepScene& scene) {
-    for (const FrameState state : statesOf(point, scene))
-        if (!journal.find(point, state)) return false;
+/// A point and everything that its rows depend on.
+struct WantedPoint {
+    SweepPoint point;
+    MadeWith madeWith;
+};
+
+std::vector<WantedPoint> wantedPoints(const SweepOptions& options, const SweepScene& scene, FrameRenderer& renderer,
+                                      const MadeWith& program) {
+    std::vector<WantedPoint> wanted;
+    for (const SweepPoint& point : pointsOf(options, scene)) {
+        MadeWith madeWith = program;
+        FrameRequest request = scene.request;
+        request.samplesPerPixel = point.sampleCount;
+        request.mapSize = point.mapSize;
+        for (auto& part : madeWithScene(*scene.scene, request)) madeWith.push_back(std::move(part));
+        const std::unique_ptr<Technique> technique = makeSubject(point, options, renderer.programs());
+        madeWith.emplace_back("settings", settingsText(*technique));
+        madeWith.emplace_back("measurement",
+                              fmt::format("rounds {}, sequence {}, reference {} samples, {} rays", options.rounds,
+                                          options.sequence, options.referenceSamples, options.referenceRays));
+        wanted.push_back({point, std::move(madeWith)});
+    }
+    return wanted;
+}
+
+bool measured(const SweepJournal& journal, const WantedPoint& wanted, const SweepScene& scene) {
+    for (const FrameState state : statesOf(wanted.point, scene))
+        if (!journal.find(wanted.point, state, wanted.madeWith)) return false;
     return true;
 }
 
 /// A row for every state in which the subject was timed, but for those that the journal has.
-void write(SweepJournal& journal, const Subject& subject) {
+void write(SweepJournal& journal, const Subject& subject, const MadeWith& madeWith) {
     for (const auto& [state, times] : subject.times) {
-        if (journal.find(subject.point, state)) continue;  // of a sweep that was interrupted right behind it
+        if (journal.find(subject.point, state, madeWith)) continue;  // of a sweep that was interrupted right behind it
         SweepRow row = subject.row;
         row.state = state;
         for (const auto& [name, values] : times) row.steps[name] = timingOf(values);
-        journal.append(row);
+        journal.append(row, madeWith);
     }
 }
 
-/// What a journal must have been made with for its rows to be used again.
-std::string experimentOf(const FrameRenderer& renderer, const SweepOptions& options) {
-    std::string text =
-        fmt::format("{}; rounds {}; reference {}", renderer.device().renderer + " " + renderer.device().version,
-                    options.rounds, options.referenceSamples);
-    if (options.sequence > 0) text += fmt::format("; sequence {}", options.sequence);
-    for (const auto& [name, value] : options.settings) text += fmt::format("; {}={}", name, value);
-    for (const SweepScene& scene : options.scenes)
-        text += fmt::format("; {} {}x{} frame {} shutter {} fps {} seed {} camera {}", scene.name, scene.request.width,
-                            scene.request.height, scene.request.frame, scene.request.shutter.length,
-                            scene.request.shutter.framesPerSecond, scene.request.seed, scene.request.cameraIndex) +
-                (scene.varied.empty() ? "" : fmt::format(" {}={}", scene.varied, scene.variedValue));
-    return text;
+/// Says which parts make earlier rows useless, and of how many points.
+void noteStaleRows(const SweepJournal& journal, const SweepOptions& options,
+                   const std::vector<std::vector<WantedPoint>>& wanted) {
+    std::set<std::string> parts;
+    int points = 0;
+    for (const std::vector<WantedPoint>& ofScene : wanted)
+        for (const WantedPoint& point : ofScene) {
+            const std::vector<std::string> stale = journal.staleParts(point.point, point.madeWith);
+            points += stale.empty() ? 0 : 1;
+            parts.insert(stale.begin(), stale.end());
+        }
+    if (points > 0 && options.note)
+        options.note(fmt::format("{}: {} points were measured with another {}; they are measured again",
+                                 options.journal.string(), points, fmt::join(parts, ", ")));
 }
 
 }  // namespace
@@ -242,28 +271,36 @@ std::string SweepPoint::key() const {
 }
 
 std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache) {
-    SweepJournal journal(options.journal, experimentOf(renderer, options));
+    SweepJournal journal(options.journal);
+    const MadeWith program = madeWithProgram(options.commit, renderer.device());
+    std::vector<std::vector<WantedPoint>> wanted;
     int total = 0;
     for (const SweepScene& scene : options.scenes) {
+        wanted.push_back(wantedPoints(options, scene, renderer, program));
         int missing = 0;
-        for (const SweepPoint& point : pointsOf(options, scene)) missing += measured(journal, point, scene) ? 0 : 1;
+        for (const WantedPoint& point : wanted.back()) missing += measured(journal, point, scene) ? 0 : 1;
         total += missing > 0 ? 1 + missing * (options.rounds + 1) : 0;
     }
+    noteStaleRows(journal, options, wanted);
     Steps steps(options, total);
-    for (const SweepScene& scene : options.scenes) {
+    for (std::size_t s = 0; s < options.scenes.size(); ++s) {
         std::vector<Subject> subjects;
-        for (const SweepPoint& point : pointsOf(options, scene))
-            if (!measured(journal, point, scene))
-                subjects.push_back({point, makeSubject(point, options, renderer.programs()), {}, {}, {}});
+        std::vector<const MadeWith*> madeWith;
+        for (const WantedPoint& point : wanted[s])
+            if (!measured(journal, point, options.scenes[s])) {
+                subjects.push_back({point.point, makeSubject(point.point, options, renderer.programs()), {}, {}, {}});
+                madeWith.push_back(&point.madeWith);
+            }
         if (subjects.empty()) continue;
-        SceneSweep(renderer, options, scene, cache, steps).run(subjects);
-        for (const Subject& subject : subjects) write(journal, subject);
+        SceneSweep(renderer, options, options.scenes[s], cache, steps).run(subjects);
+        for (std::size_t i = 0; i < subjects.size(); ++i) write(journal, subjects[i], *madeWith[i]);
     }
     std::vector<SweepRow> rows;
-    for (const SweepScene& scene : options.scenes)
-        for (const SweepPoint& point : pointsOf(options, scene))
+    for (const std::vector<WantedPoint>& ofScene : wanted)
+        for (const WantedPoint& point : ofScene)
             for (const FrameState state : {FrameState::Cold, FrameState::Filling, FrameState::Steady})
-                if (const SweepRow* row = journal.find(point, state); row && wanted(state, options))
+                if (const SweepRow* row = journal.find(point.point, state, point.madeWith);
+                    row && isWanted(state, options))
                     rows.push_back(*row);
     return rows;
 }

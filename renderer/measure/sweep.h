@@ -72,13 +72,17 @@ struct SweepOptions {
     int referenceSamples = 256;  ///< per pixel, of the reference image
     int referenceRays = 1024;    ///< per pixel, of the converged visibility that shadow errors need; 0: no such errors
     std::filesystem::path journal;  ///< finished rows are kept here, one JSON line each
+    std::string commit;             ///< of the program; rows of another are measured again
+    /// Told where rows of an earlier sweep are not used, and why not.
+    std::function<void(const std::string&)> note;
     /// What is being done, how many of how many steps are done, and seconds left (negative: not known yet).
     std::function<void(const std::string&, int, int, double)> progress;
 };
 
 /// Runs the experiment: per scene, every point is timed once per round, so that drift hits all alike, by a FrameClock.
-/// Rows that the journal already holds are not measured again. Rows come in the order scene, technique, map, sample
-/// count, state. Where nothing may be cached there are cold rows alone, as for Embree, which keeps nothing.
+/// Rows that the journal already holds, made with just the same, are not measured again. Rows come in the order scene,
+/// technique, map, sample count, state. Where nothing may be cached there are cold rows alone, as for Embree, which
+/// keeps nothing.
 std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache);
 
 }  // namespace timeshade

@@ -1,13 +1,21 @@
 #include "measure/sweep_journal.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <sstream>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/json_limits.h"
+#include "image/file_bytes.h"
+#include "image/image_file.h"
+#include "image/part_file.h"
 #include "measure/verification_json.h"
 
 namespace timeshade {
@@ -88,36 +96,78 @@ SweepRow rowFromJson(const std::string& text) {
     return row;
 }
 
-SweepJournal::SweepJournal(std::filesystem::path path, const std::string& experiment) : path_(std::move(path)) {
-    std::ifstream stream(path_);
-    std::string line;
-    const std::string header = Json{{"experiment", experiment}}.dump();
-    std::string kept = header + "\n";
-    if (std::getline(stream, line) && line == header) {
-        while (std::getline(stream, line)) {
-            try {
-                rows_.push_back(rowFromJson(line));
-            } catch (const nlohmann::json::exception&) {
-                break;  // cut off in the middle
-            }
-            kept += line + "\n";
+namespace {
+
+std::string textOfFile(const std::filesystem::path& path) {
+    const std::vector<unsigned char> bytes = readFileBytes(path);
+    return {bytes.begin(), bytes.end()};
+}
+
+/// By one call, so that a line is there as a whole or is the last one.
+void appendLine(const std::filesystem::path& path, const std::string& line) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+    const bool written = file >= 0 && ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+    const int code = errno;
+    if (file >= 0) ::close(file);
+    if (!written) throw Error(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(code)));
+}
+
+std::string lineOf(const SweepRow& row, const MadeWith& madeWith) {
+    Json json = Json::parse(rowAsJson(row));
+    for (const auto& [part, text] : madeWith) json["made_with"][part] = text;
+    return json.dump();
+}
+
+MadeWith madeWithOf(const Json& json) {
+    MadeWith madeWith;
+    if (json.contains("made_with"))
+        for (const auto& [part, text] : json.at("made_with").items()) madeWith.emplace_back(part, text);
+    return madeWith;
+}
+
+}  // namespace
+
+SweepJournal::SweepJournal(const std::filesystem::path& path) : path_(followOwnLinks(path)) {
+    if (!std::filesystem::exists(path_)) return;
+    std::istringstream stream(textOfFile(path_));
+    std::string kept;
+    for (std::string line; std::getline(stream, line);) {
+        const bool cutOff = stream.eof();  // lines end in a newline
+        const Json json = isNestedTooDeeply(line) ? Json() : Json::parse(line, nullptr, false);
+        if (cutOff) break;
+        try {
+            if (!json.is_object()) throw Error("no object");
+            if (!json.contains("experiment"))  // how older journals began: their rows don't say what made them
+                entries_.push_back({rowFromJson(line), madeWithOf(json)});
+        } catch (const std::exception&) {
+            throw Error(fmt::format("{}: is no journal of measured rows; expected one, or no file of that name",
+                                    path_.string()));
         }
+        kept += line + "\n";
     }
-    stream.close();
     writeFileAtomically(path_, kept);
 }
 
-const SweepRow* SweepJournal::find(const SweepPoint& point, FrameState state) const {
-    for (const SweepRow& row : rows_)
-        if (row.state == state && row.point.key() == point.key()) return &row;
+const SweepRow* SweepJournal::find(const SweepPoint& point, FrameState state, const MadeWith& madeWith) const {
+    for (const Entry& entry : entries_)
+        if (entry.row.state == state && entry.row.point.key() == point.key() && entry.madeWith == madeWith)
+            return &entry.row;
     return nullptr;
 }
 
-void SweepJournal::append(const SweepRow& row) {
-    rows_.push_back(row);
-    std::ofstream stream(path_, std::ios::app);
-    stream << rowAsJson(row) << std::endl;
-    if (!stream) throw Error(fmt::format("{}: cannot be written to", path_.string()));
+std::vector<std::string> SweepJournal::staleParts(const SweepPoint& point, const MadeWith& madeWith) const {
+    std::vector<std::string> parts;
+    for (const Entry& entry : entries_) {
+        if (entry.row.point.key() != point.key()) continue;
+        parts = differingParts(entry.madeWith, madeWith);
+        if (parts.empty()) return parts;
+    }
+    return parts;
+}
+
+void SweepJournal::append(const SweepRow& row, const MadeWith& madeWith) {
+    entries_.push_back({row, madeWith});
+    appendLine(path_, lineOf(row, madeWith) + "\n");
 }
 
 }  // namespace timeshade

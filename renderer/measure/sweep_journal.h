@@ -1,25 +1,34 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "measure/made_with.h"
 #include "measure/sweep.h"
 
 namespace timeshade {
 
 /// Finished rows on disk, one JSON object a line, appended and flushed as they are made: a sweep that is interrupted
-/// goes on where it was. A last line that is cut off is dropped. The first line names the experiment; a journal of
-/// another experiment is started anew.
+/// goes on where it was. Every row says what it was made with, and is found again for just that; rows of other models,
+/// sizes, shaders lie beside it untouched. A last line that is cut off is dropped. Throws Error where the file is there
+/// and is no journal.
 class SweepJournal {
   public:
-    SweepJournal(std::filesystem::path path, const std::string& experiment);
-    const SweepRow* find(const SweepPoint& point, FrameState state) const;
-    void append(const SweepRow& row);
+    explicit SweepJournal(const std::filesystem::path& path);
+    const SweepRow* find(const SweepPoint& point, FrameState state, const MadeWith& madeWith) const;
+    /// What tells the newest row of this point from one made with this; empty where there is none, or one that fits.
+    std::vector<std::string> staleParts(const SweepPoint& point, const MadeWith& madeWith) const;
+    void append(const SweepRow& row, const MadeWith& madeWith);
 
   private:
+    struct Entry {
+        SweepRow row;
+        MadeWith madeWith;
+    };
     std::filesystem::path path_;
-    std::vector<SweepRow> rows_;
+    std::deque<Entry> entries_;  ///< a pointer to a row stays good while others are added
 };
 
 /// A row as JSON, every figure with all its digits, and back. A row without a state comes from a version that drew a

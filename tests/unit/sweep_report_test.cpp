@@ -277,20 +277,46 @@ TEST(SweepJournal, GoesOnWhereItWasAndDropsALineThatIsCutOff) {
     const Folder folder;
     const std::filesystem::path path = folder.path / "rows.jsonl";
     const std::vector<SweepRow> rows = makeRows();
+    const MadeWith madeWith{{"model", "A"}, {"frame", "12"}};
     {
-        SweepJournal journal(path, "experiment A");
-        journal.append(rows[0]);
-        journal.append(rows[1]);
+        SweepJournal journal(path);
+        journal.append(rows[0], madeWith);
+        journal.append(rows[1], madeWith);
     }
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 5);
-    SweepJournal again(path, "experiment A");
-    ASSERT_NE(again.find(rows[0].point, FrameState::Steady), nullptr);
-    EXPECT_EQ(rowAsJson(*again.find(rows[0].point, FrameState::Steady)), rowAsJson(rows[0]));
-    EXPECT_EQ(again.find(rows[1].point, FrameState::Steady), nullptr);
-    EXPECT_EQ(again.find(rows[0].point, FrameState::Cold), nullptr) << "one state does not stand for another";
-    const SweepJournal other(path, "experiment B");
-    EXPECT_EQ(other.find(rows[0].point, FrameState::Steady), nullptr)
-        << "rows of another experiment are not those of this one";
+    SweepJournal again(path);
+    ASSERT_NE(again.find(rows[0].point, FrameState::Steady, madeWith), nullptr);
+    EXPECT_EQ(rowAsJson(*again.find(rows[0].point, FrameState::Steady, madeWith)), rowAsJson(rows[0]));
+    EXPECT_EQ(again.find(rows[1].point, FrameState::Steady, madeWith), nullptr);
+    EXPECT_EQ(again.find(rows[0].point, FrameState::Cold, madeWith), nullptr) << "one state does not stand for another";
+}
+
+TEST(SweepJournal, FindsRowsForJustWhatTheyWereMadeWith) {
+    const Folder folder;
+    const std::filesystem::path path = folder.path / "rows.jsonl";
+    const SweepRow row = makeRows()[0];
+    const MadeWith first{{"model", "A"}, {"frame", "12"}}, other{{"model", "B"}, {"frame", "12"}};
+    SweepJournal(path).append(row, first);
+    SweepJournal journal(path);
+    EXPECT_EQ(journal.find(row.point, row.state, other), nullptr);
+    EXPECT_EQ(journal.staleParts(row.point, other), std::vector<std::string>{"model"});
+    EXPECT_TRUE(journal.staleParts(row.point, first).empty());
+    journal.append(row, other);
+    const SweepJournal both(path);
+    EXPECT_NE(both.find(row.point, row.state, first), nullptr) << "rows of another model stay";
+    EXPECT_NE(both.find(row.point, row.state, other), nullptr);
+    EXPECT_TRUE(both.staleParts(row.point, first).empty());
+}
+
+TEST(SweepJournal, OverwritesNoFileThatIsNone) {
+    const Folder folder;
+    const std::filesystem::path path = folder.path / "rows.jsonl";
+    std::ofstream(path) << "somebody's notes\nof today\n";
+    EXPECT_THROW(SweepJournal{path}, Error);
+    std::ifstream stream(path);
+    std::string line;
+    std::getline(stream, line);
+    EXPECT_EQ(line, "somebody's notes");
 }
 
 }  // namespace

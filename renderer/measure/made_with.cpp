@@ -1,0 +1,88 @@
+#include "measure/made_with.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "gl/shader_source.h"
+#include "image/file_bytes.h"
+#include "measure/reference_digest.h"
+
+namespace timeshade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string programDigest() {
+    ReferenceDigest digest;
+    digest.values(readFileBytes("/proc/self/exe"));
+    return digest.text();
+}
+
+std::string shadersDigest() {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(gl::shaderDirectory()))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    ReferenceDigest digest;
+    for (const fs::path& file : files) {
+        const std::string name = file.lexically_relative(gl::shaderDirectory()).generic_string();
+        digest.bytes(name.data(), name.size() + 1);
+        digest.values(readFileBytes(file));
+    }
+    return digest.text();
+}
+
+std::string textOf(const std::optional<CameraPose>& pose) {
+    if (!pose) return "the scene's";
+    const auto& [eye, axes, fieldOfView, nearDistance] = *pose;
+    std::string text = fmt::format("{} {} {} fov {} near {} axes", eye.x, eye.y, eye.z, fieldOfView, nearDistance);
+    for (int c = 0; c < 3; ++c) text += fmt::format(" {} {} {}", axes[c].x, axes[c].y, axes[c].z);
+    return text;
+}
+
+/// Taken apart as a whole, so that a field that is added later cannot be left out.
+std::string textOf(const FrameRequest& request) {
+    const auto& [width, height, samples, map, seed, frame, shutter, camera, forceDynamic, caches, pose] = request;
+    return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {} of {} at {}, camera {}, {}{}pose {}",
+                       width, height, samples, map, seed, frame, shutter.length, shutter.framesPerSecond,
+                       static_cast<int>(shutter.position), camera, forceDynamic ? "force dynamic, " : "",
+                       caches ? "" : "no cache, ", textOf(pose));
+}
+
+}  // namespace
+
+MadeWith madeWithProgram(const std::string& commit, const gl::DeviceInfo& device) {
+    return {{"program", commit + " " + programDigest()},
+            {"shaders", shadersDigest()},
+            {"device", device.vendor + ", " + device.renderer + ", " + device.version}};
+}
+
+MadeWith madeWithScene(const Scene& scene, const FrameRequest& request) {
+    const std::string clip = scene.clips().empty() ? "" : scene.clips().at(scene.clip());
+    return {{"model", scene.contentDigest()}, {"clip", clip}, {"frame", textOf(request)}};
+}
+
+std::string settingsText(Technique& technique) {
+    std::string text;
+    for (const Setting& setting : settingsOf(technique)) text += fmt::format("{}={} ", setting.key, setting.get());
+    return text;
+}
+
+std::vector<std::string> differingParts(const MadeWith& a, const MadeWith& b) {
+    std::vector<std::string> names;
+    const auto add = [&](const MadeWith& one, const MadeWith& other) {
+        for (const auto& part : one)
+            if (std::find(other.begin(), other.end(), part) == other.end() &&
+                std::find(names.begin(), names.end(), part.first) == names.end())
+                names.push_back(part.first);
+    };
+    add(a, b);
+    add(b, a);
+    return names;
+}
+
+}  // namespace timeshade
