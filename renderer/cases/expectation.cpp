@@ -14,7 +14,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double nearestCaster = 1e-5;  // docs/numerics.md, "Definition of shadow"
+constexpr double nearestCaster = 1e-7;  // of the way to the light: less than any receiver's clearance
 
 struct Corners {
     dvec3 open[3], close[3];

@@ -19,15 +19,15 @@ class BoundingPlanes {
     /// `extent`: all vertices at both ends of the shutter, like `block` and `light` relative to the plan's origin.
     BoundingPlanes(const Bounds& extent, const shared::FrameBlock& block, const ViewPlan& light);
 
-    /// Whether the triangle lies in one of the sides during the whole shutter. No receiver is then behind it by more
-    /// than half of the distance that the definition of a shadow ignores (SEGMENT_NEAREST), rounding included.
+    /// Whether the triangle lies in one of the sides during the whole shutter, to the last bit. No receiver is then
+    /// behind it.
     /// `positionTexels`: MeshTexels::positions.
     bool holds(const std::vector<glm::vec4>& positionTexels, std::uint32_t id) const;
 
   private:
     struct Side {
         int axis;
-        float low, high;  ///< range of coordinates that lie in the side, in world units relative to the plan's origin
+        float place;  ///< world units relative to the plan's origin
     };
     std::vector<Side> sides_;
 };

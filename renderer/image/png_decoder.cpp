@@ -82,18 +82,30 @@ class Reader {
     png_infop info_ = nullptr;
 };
 
+/// What the header says, before anything is allocated for it: it has a fixed place.
+void checkSize(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {
+    if (bytes.size() < 24) throw Error("cut off");
+    const auto number = [&](std::size_t at) {
+        return std::size_t{bytes[at]} << 24 | std::size_t{bytes[at + 1]} << 16 | std::size_t{bytes[at + 2]} << 8 |
+               std::size_t{bytes[at + 3]};
+    };
+    const std::size_t width = number(16), height = number(20);
+    requireWithin(limits, static_cast<long>(width), static_cast<long>(height));
+    // Deflate compresses no better than about 1000 : 1, and a pixel may have a single bit: a larger size cannot be
+    // true.
+    if (width * height / 8 / 1100 > bytes.size())
+        throw Error(fmt::format("{} bytes cannot hold {}x{} pixels", bytes.size(), width, height));
+}
+
 }  // namespace
 
 ForeignImage decodePng(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {
+    checkSize(bytes, limits);
     Source source{bytes.data(), bytes.size()};
     const Reader reader(source, limits);
     if (!readHeader(reader.png(), reader.info())) throw Error(oneLine(source.message, 80));
     const auto width = static_cast<std::size_t>(png_get_image_width(reader.png(), reader.info()));
     const auto height = static_cast<std::size_t>(png_get_image_height(reader.png(), reader.info()));
-    requireWithin(limits, static_cast<long>(width), static_cast<long>(height));
-    // Deflate compresses no better than about 1000 : 1: a larger size cannot be true.
-    if (width * height / 8 / 1100 > bytes.size())
-        throw Error(fmt::format("{} bytes cannot hold {}x{} pixels", bytes.size(), width, height));
     ForeignImage image{static_cast<int>(width), static_cast<int>(height),
                        std::vector<std::uint8_t>(4 * width * height)};
     std::vector<png_bytep> rows(height);

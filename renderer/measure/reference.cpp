@@ -66,7 +66,7 @@ std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options)
     ReferenceDigest frame;
     frame.bytes(&block, sizeof block);
     frame.bytes(&plan.camera.block, sizeof plan.camera.block);
-    return fmt::format("reference 1; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}",
+    return fmt::format("reference 2; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}",
                        sceneDigest(plan), frame.text(), shaderDigest(), plan.request.width, plan.request.height,
                        batchesOf(options), maximumSamplesPerPixel,
                        options.view == View::Final ? "final" : "visibility");

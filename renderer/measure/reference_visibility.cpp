@@ -45,7 +45,7 @@ std::string referenceVisibilityKey(const FramePlan& plan, int rays) {
     digestLight(plan.lightOpen, digest);
     digestLight(plan.lightClose, digest);
     digest.value(plan.light.block.farDistance);
-    return fmt::format("converged visibility 1; frame {}; {} x {}; {} rays", digest.text(), plan.request.width,
+    return fmt::format("converged visibility 2; frame {}; {} x {}; {} rays", digest.text(), plan.request.width,
                        plan.request.height, wholePackets(rays));
 }
 

@@ -1,5 +1,6 @@
 #include "oracle/camera_rays.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shared/sample_pattern.shared.h"
@@ -9,6 +10,15 @@ namespace timeshade::oracle {
 namespace {
 
 glm::dvec3 between(const glm::dvec3& open, const glm::dvec3& close, double u) { return open * (1.0 - u) + close * u; }
+
+/// A bound on how far floats move a receiver on this triangle: 2^-21 of its largest coordinate (docs/numerics.md,
+/// "Definition of shadow").
+double clearanceOf(const glm::dvec3 (&v)[3]) {
+    double largest = 0.0;
+    for (const glm::dvec3& vertex : v)
+        largest = std::max({largest, std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
+    return std::ldexp(largest, -21);
+}
 
 /// Facing and cone, as design section 1 and `facesLight` of the shaders define them.
 void testLight(const FramePlan& plan, const glm::dvec3& normal, Receiver& receiver) {
@@ -75,6 +85,7 @@ Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, con
     receiver.answer.position = ray.eye + ray.direction * (glm::dot(v[0] - ray.eye, normal) / approach);
     if (approach > 0.0 && triangles.doubleSided(triangle)) normal = -normal;
     receiver.light = lightEnd(plan, receiver.answer.position, ray.time);
+    receiver.clearance = clearanceOf(v);
     testLight(plan, normal, receiver);
     return receiver;
 }
@@ -101,6 +112,7 @@ Receiver receiverOnTriangle(const FramePlan& plan, const MovingTriangles& triang
     const glm::dvec3 eye = between(plan.camera.open.eye, plan.camera.close.eye, time);
     if (triangles.doubleSided(triangle) && glm::dot(v[0] - eye, normal) > 0.0) normal = -normal;
     receiver.light = lightEnd(plan, receiver.answer.position, time);
+    receiver.clearance = clearanceOf(v);
     testLight(plan, normal, receiver);
     return receiver;
 }

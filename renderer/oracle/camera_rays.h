@@ -20,8 +20,9 @@ CameraRay cameraRayThrough(const FramePlan& plan, glm::vec2 place, float u);
 
 /// Where the camera ray meets the plane of the triangle that the sample sees, and what it has to do with the light.
 struct Receiver {
-    OracleAnswer answer;    ///< all but `lit`; `marginal` where facing or cone are within a float's rounding
-    glm::dvec3 light{0.0};  ///< the far end of the shadow segment
+    OracleAnswer answer;     ///< all but `lit`; `marginal` where facing or cone are within a float's rounding
+    glm::dvec3 light{0.0};   ///< the far end of the shadow segment
+    double clearance = 0.0;  ///< how near a caster's plane may pass without shadowing it
 };
 
 Receiver receiverOf(const FramePlan& plan, const MovingTriangles& triangles, SampleIndex sample,

@@ -22,8 +22,8 @@ Oracle::Implementation::Implementation(const FramePlan& plan)
 OracleAnswer Oracle::Implementation::resolve(const Receiver& receiver, std::uint32_t triangle) const {
     OracleAnswer answer = receiver.answer;
     if (!answer.tested) return answer;
-    const ResolvedShadow resolved =
-        resolveShadow(bvh, triangles, answer.position, receiver.light, triangle, static_cast<double>(answer.time));
+    const ResolvedShadow resolved = resolveShadow(bvh, triangles, answer.position, receiver.light, receiver.clearance,
+                                                  triangle, static_cast<double>(answer.time));
     answer.lit = resolved.lit;
     answer.marginal = answer.marginal || resolved.marginal;
     return answer;
@@ -31,7 +31,6 @@ OracleAnswer Oracle::Implementation::resolve(const Receiver& receiver, std::uint
 
 void Oracle::Implementation::testLanes(Receiver* receivers, const std::uint32_t* ids, int lanes, Edges edges) const {
     RayPacket packet;
-    packet.low = static_cast<float>(nearestCaster);
     bool any = false;
     for (int lane = 0; lane < lanes; ++lane) {
         const Receiver& receiver = receivers[lane];

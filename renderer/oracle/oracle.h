@@ -20,9 +20,9 @@ struct OracleAnswer {
     bool tested = false;  ///< it faces the light and lies inside the light's cone
     bool lit = false;     ///< ground truth of design section 1; meaningless unless tested
     /// A float's rounding could have decided otherwise, where it moves points by 1e-6 of their coordinates: the segment
-    /// meets no triangle clearly, but passes that near to an edge, or meets a plane that near to an end of the open
-    /// interval (1e-5, 1); or the receiver's facing or the cone's border is that near to a change.
-    /// `answer` knows it only of the samples that it has resolved exactly.
+    /// meets no triangle clearly, but passes that near to an edge, or meets a plane that near to the end of the
+    /// segment or to the clearance of the receiver; or the receiver's facing or the cone's border is that near to a
+    /// change. `answer` knows it only of the samples that it has resolved exactly.
     bool marginal = false;
     float time = 0.0f;         ///< u
     glm::dvec3 position{0.0};  ///< world space less the plan's origin
@@ -30,11 +30,11 @@ struct OracleAnswer {
 
 /// The independent ray tracer that knows the true `lit` of a camera sample. No OpenGL; it shares nothing with a
 /// technique but scene, motion and plan. A receiver p of triangle T at time u is shadowed iff the segment from p to
-/// the light meets a triangle other than T, in its position at u, at a relative distance in (1e-5, 1). Triangles are
-/// closed (edges count); one in a common plane with the segment is not met. A directional light's segment is as long as
-/// its map is deep (plan.light.block.farDistance), which takes it past all of the scene.
-/// The vertices are those of plan.texels (floats, taken as exact), the times those of the shared sample pattern.
-/// Embree answers in bulk with linear motion blur; `resolve` decides in double precision.
+/// the light meets a triangle other than T, in its position at u, whose plane is farther from p than 2^-21 of T's
+/// largest coordinate. Triangles are closed (edges count); one in a common plane with the segment is not met. A
+/// directional light's segment is as long as its map is deep (plan.light.block.farDistance), which takes it past all of
+/// the scene. The vertices are those of plan.texels (floats, taken as exact), the times those of the shared sample
+/// pattern. Embree answers in bulk with linear motion blur; `resolve` decides in double precision.
 class Oracle {
   public:
     /// Builds the acceleration structures. Keeps its own copy of what it needs of the plan.

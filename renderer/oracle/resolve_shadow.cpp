@@ -3,10 +3,10 @@
 namespace timeshade::oracle {
 
 ResolvedShadow resolveShadow(const SweptBvh& bvh, const MovingTriangles& triangles, const glm::dvec3& position,
-                             const glm::dvec3& light, std::uint32_t receiver, double u) {
+                             const glm::dvec3& light, double clearance, std::uint32_t receiver, double u) {
     const glm::dvec3 direction = light - position;
     const double length = glm::length(direction);
-    const Segment segment{position, light, nearestCaster, 1.0, length};
+    const Segment segment{position, light, 0.0, 1.0, length, clearance};
     // Twice as far as a marginal triangle can be, plus what the boxes' own rounding may take away.
     const double pad = 2.0 * marginalShare * (glm::length(position) + length);
     ResolvedShadow resolved;

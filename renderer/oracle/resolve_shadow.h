@@ -5,19 +5,16 @@
 
 namespace timeshade::oracle {
 
-/// Design section 1: nothing nearer to the receiver than this share of the way to the light casts a shadow on it.
-inline constexpr double nearestCaster = 1e-5;
-
 struct ResolvedShadow {
     bool lit = true;
     bool marginal = false;
 };
 
 /// The definition itself, in exact arithmetic where it takes that: is the segment from `position` to `light` free, at
-/// time u, of all triangles but `receiver` (NO_TRIANGLE: of all), between nearestCaster and 1? Closed triangles; one
-/// that is seen edge-on casts no shadow. Marginal: no triangle is met but for a hit or miss that a float's rounding may
-/// decide.
+/// time u, of all triangles but `receiver` (NO_TRIANGLE: of all) and those whose plane is not farther from `position`
+/// than `clearance`? Closed triangles; one that is seen edge-on casts no shadow. Marginal: no triangle is met but for a
+/// hit or miss that a float's rounding may decide.
 ResolvedShadow resolveShadow(const SweptBvh& bvh, const MovingTriangles& triangles, const glm::dvec3& position,
-                             const glm::dvec3& light, std::uint32_t receiver, double u);
+                             const glm::dvec3& light, double clearance, std::uint32_t receiver, double u);
 
 }  // namespace timeshade::oracle

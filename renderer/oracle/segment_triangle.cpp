@@ -49,15 +49,17 @@ class MeetingTest {
         const int sum = inside ? signOf(static_cast<double>(edgeSign_[0] + edgeSign_[1] + edgeSign_[2])) : 0;
         const double sumEstimate = edge_[0].value + edge_[1].value + edge_[2].value;
         const Determinant plane = determinantOf(w_[0], w_[1], w_[2]);
-        const double planeSlack = marginalShare * scale_ * glm::length(glm::cross(w_[1] - w_[0], w_[2] - w_[0]));
+        const double area = glm::length(glm::cross(w_[1] - w_[0], w_[2] - w_[0]));
+        const double planeSlack = marginalShare * scale_ * area;
         // Signed areas times how far the plane lies beyond the one end and before the other; positive between them.
         const double direction = sum != 0 ? static_cast<double>(sum) : (sumEstimate < 0.0 ? -1.0 : 1.0);
-        const double beyondLow = direction * (plane.value - segment_.low * sumEstimate);
+        const double beyondLow = direction * (plane.value - segment_.low * sumEstimate) - segment_.clearance * area;
         const double beforeHigh =
             std::isinf(segment_.high) ? HUGE_VAL : direction * (segment_.high * sumEstimate - plane.value);
         if (std::min(beyondLow, beforeHigh) < -std::max(planeSlack, sumError(plane))) return meeting;
 
-        meeting.hit = inside && sum != 0 && sum * planeSign(plane, segment_.low) > 0 &&
+        const bool clear = segment_.clearance == 0.0 || direction * plane.value > segment_.clearance * area;
+        meeting.hit = inside && sum != 0 && clear && sum * planeSign(plane, segment_.low) > 0 &&
                       (std::isinf(segment_.high) || sum * planeSign(plane, segment_.high) < 0);
         meeting.marginal = nearEdge_ || std::min(beyondLow, beforeHigh) <= planeSlack;
         meeting.facing = sum < 0 ? 1 : -1;

@@ -11,7 +11,8 @@ inline constexpr double marginalShare = 1e-6;
 struct Segment {
     glm::dvec3 from, to;
     double low = 0.0, high = 1.0;
-    double reach = 0.0;  ///< how far from `from` anything of interest lies; infinity if not known
+    double reach = 0.0;      ///< how far from `from` anything of interest lies; infinity if not known
+    double clearance = 0.0;  ///< a triangle whose plane is not farther from `from` than this is not met
 };
 
 struct Meeting {
@@ -23,9 +24,9 @@ struct Meeting {
 };
 
 /// Does the segment meet the triangle? Triangles are closed: their edges and corners count. The segment is open: its
-/// ends do not. A triangle seen edge-on (in one plane with the segment) or without area is not met. Every decision is
-/// exact for the given numbers: signs of determinants in double where their error bound allows, else in exact
-/// arithmetic. So a segment through the common edge of two triangles meets at least one of them.
+/// ends do not. A triangle seen edge-on (in one plane with the segment) or without area is not met. Every decision but
+/// that on clearance is exact for the given numbers: signs of determinants in double where their error bound allows,
+/// else in exact arithmetic. So a segment through the common edge of two triangles meets at least one of them.
 Meeting meet(const Segment& segment, const glm::dvec3 (&vertices)[3]);
 
 }  // namespace timeshade::oracle

@@ -38,8 +38,12 @@ ViewPlan planCamera(const Scene& scene, const FrameRequest& request, const glm::
     return view;
 }
 
-/// The shadow map of a spot light covers its outer cone. Its near plane only has to be nearer than any geometry,
-/// because stored depth has relative precision.
+/// Of the scene's diagonal: a lamp one unit above a ground of 100,000 still sees all of it.
+constexpr double spotNearShare = 1e-4 / 128.0;
+
+/// The shadow map of a spot light covers its outer cone. Its near plane has to be nearer than any geometry, since what
+/// lies before it casts no shadow: a small lamp on a large ground. Stored depth has relative precision, so that this costs
+/// none.
 ViewPlan planSpotMap(const LightPose& open, const LightPose& close, const FramePlan& plan, double sceneDiagonal) {
     const double side = 2.0 * std::tan(open.outerConeAngle);
     ViewPlan view;
@@ -48,7 +52,7 @@ ViewPlan planSpotMap(const LightPose& open, const LightPose& close, const FrameP
     view.open.right = view.close.right = open.axes[0] * side;
     view.open.up = view.close.up = open.axes[1] * side;
     view.open.corner = view.close.corner = -open.axes[2] - 0.5 * side * (open.axes[0] + open.axes[1]);
-    finishView(view, glm::dvec2(plan.request.mapSize), 1e-4 * sceneDiagonal, 0.0);
+    finishView(view, glm::dvec2(plan.request.mapSize), spotNearShare * sceneDiagonal, 0.0);
     return view;
 }
 

@@ -6,6 +6,7 @@
 #include "lib/triangle_texels.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
+#include "shared/segment_triangle.shared.h"
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
 layout(binding = SAMPLE_IDS_UNIT) uniform usampler2DArray sampleIds;
@@ -15,6 +16,7 @@ struct Receiver {
     float time;
     vec3 barycentrics;
     vec3 position;         // world space less the origin
+    float clearance;       // how near a caster's plane may pass without shadowing it (segment_triangle.shared.h)
     vec3 edge1, edge2;     // two edges of the triangle at this time: its plane
     vec3 geometricNormal;  // not normalised; of a two-sided triangle the one towards the camera
 };
@@ -29,6 +31,7 @@ Receiver pointAt(MovingTriangle t, uint id, vec3 barycentrics, float u) {
     r.time = u;
     r.barycentrics = barycentrics;
     r.position = barycentrics.x * p0 + barycentrics.y * p1 + barycentrics.z * p2;
+    r.clearance = receiverClearance(p0, p1, p2);
     r.edge1 = p1 - p0;
     r.edge2 = p2 - p0;
     r.geometricNormal = cross(r.edge1, r.edge2);

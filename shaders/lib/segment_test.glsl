@@ -25,5 +25,5 @@ SeenVertices seenVertices(VertexMotion v, vec3 position, float u) {
 
 bool segmentMeets(VertexMotion v, Receiver r, vec3 toLight) {
     SeenVertices seen = seenVertices(v, r.position, r.time);
-    return segmentMeetsTriangle(toLight, seen.v0, seen.v1, seen.v2, 0.0);
+    return segmentMeetsTriangle(toLight, seen.v0, seen.v1, seen.v2, r.clearance);
 }

@@ -5,9 +5,16 @@
 
 SHARED_BEGIN
 
-/// Nothing nearer to the receiver than this share of the way to the light casts a shadow on it (docs/numerics.md,
-/// "Definition of shadow"): it bounds the rounding of the receiver's own position.
-#define SEGMENT_NEAREST SHARED_FLOAT(1e-5)
+/// How near the plane of a caster may pass a receiver and still not shadow it, in world units: a bound on the rounding
+/// of the receiver's own position, and no share of the way to the light, so that far lights and large grounds lose no
+/// shadows (docs/numerics.md, "Definition of shadow"). 2^-21 of the largest coordinate of the receiver's triangle, whose
+/// vertices at its time are given: a point that is their weighted sum in floats lies within 5 * 2^-24 of that of where
+/// it should, and a caster's vertex that was rounded once within 2^-24.
+SHARED_FUNCTION float receiverClearance(vec3 v0, vec3 v1, vec3 v2) {
+    vec3 a = abs(v0), b = abs(v1), c = abs(v2);
+    float largest = max(max(max(a.x, a.y), max(a.z, b.x)), max(max(b.y, b.z), max(c.x, max(c.y, c.z))));
+    return largest * SHARED_FLOAT(4.76837158203125e-7);
+}
 
 /// A vertex at time u seen from the receiver, for a vertex that moves linearly from `open` to `close`. The receiver is
 /// subtracted before anything is multiplied: near a contact the difference is exact, and a static vertex is
@@ -35,20 +42,19 @@ SHARED_FUNCTION float edgeSide(vec3 direction, vec3 a, vec3 b) {
 }
 
 /// Does the segment from the receiver (the origin) to the light (`toLight`) meet the triangle, whose vertices are given
-/// relative to the receiver, at a relative distance in (1e-5, 1)? Triangles are closed (edges count) and have no back;
+/// relative to the receiver, short of its ends? Triangles are closed (edges count) and have no back;
 /// one in a common plane with the segment, or without area, is not met. A hit lies on one side of all three edges; its
 /// distance is W / V, W = v0 . n, V = toLight . n with the normal n of two edges, compared without a division.
 ///
-/// `planeSlack` >= 0, in world units: a receiver that is not farther than this from the triangle's plane is taken to
-/// lie in it and is not shadowed by it. The triangle that the receiver lies on is the caller's to leave out, by its
-/// number; its neighbours in the same plane need this rule, because a rounded receiver lies as often beyond the
-/// common edge as not. 2^-21 times the largest coordinate covers a receiver and vertices that were rounded once each;
-/// 0 switches the rule off, and leaves 1e-5 of the way to the light, which suffices unless light grazes.
+/// `clearance` >= 0, in world units: a receiver that is not farther than this from the triangle's plane is taken to
+/// lie in it and is not shadowed by it (receiverClearance). The triangle that the receiver lies on is the caller's to
+/// leave out, by its number; its neighbours in the same plane need this rule, because a rounded receiver lies as often
+/// beyond the common edge as not.
 ///
 /// Valid while all lengths lie between 1e-9 and 1e9, whatever their ratio: no product overflows or is lost. Any NaN or
 /// infinity among the inputs: no hit. Decides as exact arithmetic would unless an edge side is within its bound above
-/// of 0, or W within 2^-20 times the sum of the sizes of its products, and of those of V, of an end of the interval.
-SHARED_FUNCTION bool segmentMeetsTriangle(vec3 toLight, vec3 v0, vec3 v1, vec3 v2, float planeSlack) {
+/// of 0, or W within 2^-20 times the sum of the sizes of its products, and of those of V, of clearance |n| or of V.
+SHARED_FUNCTION bool segmentMeetsTriangle(vec3 toLight, vec3 v0, vec3 v1, vec3 v2, float clearance) {
     float e0 = edgeSide(toLight, v1, v2);
     float e1 = edgeSide(toLight, v2, v0);
     float e2 = edgeSide(toLight, v0, v1);
@@ -63,9 +69,9 @@ SHARED_FUNCTION bool segmentMeetsTriangle(vec3 toLight, vec3 v0, vec3 v1, vec3 v
         plane = -plane;
         through = -through;
     }
-    bool within = plane > SEGMENT_NEAREST * through && plane < through;
+    bool within = plane > SHARED_FLOAT(0.0) && plane < through && through < SHARED_FLOAT(3e38);
     bool anyEdge = most > SHARED_FLOAT(0.0) || least < SHARED_FLOAT(0.0);
-    return within && anyEdge && plane > planeSlack * length(n);
+    return within && anyEdge && plane > clearance * length(n);
 }
 
 SHARED_END

@@ -1,5 +1,5 @@
-// Images that anyone may have made: what is decoded is what was encoded, and what is damaged, cut off, or larger than it
-// may be costs a message.
+// Images that anyone may have made: what is decoded is what was encoded, and what is damaged, cut off, or larger than
+// it may be costs a message.
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -142,8 +142,8 @@ TEST(ForeignImage, RefusesWhatIsCutOff) {
 
 TEST(ForeignImage, SurvivesDamage) {
     std::mt19937 dice(7);
-    for (const Bytes& whole : {jpegOf(3, JCS_RGB, false), jpegOf(3, JCS_RGB, true), jpegOf(4, JCS_CMYK, false),
-                               pngOf(PNG_FORMAT_RGBA, 4)})
+    for (const Bytes& whole :
+         {jpegOf(3, JCS_RGB, false), jpegOf(3, JCS_RGB, true), jpegOf(4, JCS_CMYK, false), pngOf(PNG_FORMAT_RGBA, 4)})
         for (int i = 0; i < 3000; ++i) {
             Bytes damaged = whole;
             for (int k = 0; k < 1 + i % 4; ++k) damaged[dice() % damaged.size()] = static_cast<std::uint8_t>(dice());
@@ -152,7 +152,8 @@ TEST(ForeignImage, SurvivesDamage) {
 }
 
 TEST(ForeignImage, KeepsToItsLimits) {
-    EXPECT_NE(errorOf(pngOf(PNG_FORMAT_RGB, 3), {36, 1 << 20}).find("37x21 pixels, the limit is 36"), std::string::npos);
+    EXPECT_NE(errorOf(pngOf(PNG_FORMAT_RGB, 3), {36, 1 << 20}).find("37x21 pixels, the limit is 36"),
+              std::string::npos);
     EXPECT_NE(errorOf(jpegOf(3, JCS_RGB, false), {8192, 4 * width * height - 1}).find("limit on bytes"),
               std::string::npos);
     EXPECT_EQ(errorOf(jpegOf(3, JCS_RGB, false), {8192, std::size_t{1} << 20}), "");

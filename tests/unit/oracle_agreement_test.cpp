@@ -158,6 +158,12 @@ bool shadowedByTextbook(const FramePlan& plan, const OracleAnswer& receiver, con
                         std::uint32_t own) {
     const oracle::MovingTriangles triangles(plan.texels->positions);
     const glm::dvec3 d = light - receiver.position;
+    double clearance = 0.0;
+    glm::dvec3 receiving[3];
+    triangles.at(own, static_cast<double>(receiver.time), receiving);
+    for (const glm::dvec3& v : receiving)
+        clearance = std::max({clearance, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    clearance = std::ldexp(clearance, -21);
     for (std::uint32_t id = 0; id < triangles.count(); ++id) {
         glm::dvec3 v[3];
         triangles.at(id, static_cast<double>(receiver.time), v);
@@ -165,7 +171,9 @@ bool shadowedByTextbook(const FramePlan& plan, const OracleAnswer& receiver, con
                          q = glm::cross(s, a);
         const double determinant = glm::dot(a, h), u = glm::dot(s, h) / determinant, w = glm::dot(d, q) / determinant,
                      t = glm::dot(b, q) / determinant;
-        if (id != own && u >= 0.0 && w >= 0.0 && u + w <= 1.0 && t > 1e-5 && t < 1.0) return true;
+        const glm::dvec3 normal = glm::cross(a, b);
+        const bool clear = std::abs(glm::dot(s, normal)) > clearance * glm::length(normal);
+        if (id != own && u >= 0.0 && w >= 0.0 && u + w <= 1.0 && t > 0.0 && t < 1.0 && clear) return true;
     }
     return false;
 }

@@ -13,6 +13,9 @@
 namespace timeshade::oracle {
 namespace {
 
+/// Of every receiver here, in world units.
+constexpr double clearance = 1e-5;
+
 struct Triangle {
     glm::vec3 open[3], close[3];
 };
@@ -63,7 +66,9 @@ double litShare(const std::vector<Triangle>& casters, const Path& receiver, cons
     const std::vector<glm::vec4> texels = pack(casters);
     const MovingTriangles triangles(texels);
     const SweptBvh bvh(triangles);
-    const auto lit = [&](double u) { return resolveShadow(bvh, triangles, receiver(u), light(u), own, u).lit; };
+    const auto lit = [&](double u) {
+        return resolveShadow(bvh, triangles, receiver(u), light(u), clearance, own, u).lit;
+    };
     double sum = 0.0, u = 0.0;
     bool before = lit(0.0);
     for (int i = 1; i <= steps; ++i) {
@@ -122,19 +127,18 @@ TEST(OracleClosedForm, MovingLightAndReceiver) {
 }
 
 TEST(OracleClosedForm, PassingTheReceiverAndTheLight) {
-    // The caster counts from a relative distance of 1e-5 on: what that takes off is part of the exact answer.
-    EXPECT_NEAR(litShare(quads({rising(9.0f, 1.0f)}), at({0.0, 0.0, 4.0}), lamp), 0.375 + 6.0 * nearestCaster / 8.0,
+    // The caster counts from the clearance on: what that takes off is part of the exact answer.
+    EXPECT_NEAR(litShare(quads({rising(9.0f, 1.0f)}), at({0.0, 0.0, 4.0}), lamp), 0.375 + clearance / 8.0,
                 tolerance);  // 7
-    const double below = (5.0 - 10.0 * nearestCaster) / (1.0 - nearestCaster);
     EXPECT_NEAR(litShare(quads({rising(5.0f, 5.0f)}), along({0.0, 0.0, 9.0}, {0.0, 0.0, 1.0}), lamp),
-                (9.0 - below) / 8.0, tolerance);                                              // 8
+                (4.0 + clearance) / 8.0, tolerance);                                          // 8
     EXPECT_NEAR(litShare(quads({rising(9.5f, 11.0f)}), origin, lamp), 2.0 / 3.0, tolerance);  // 19
-    const double reached = (11.0 * (1.0 - nearestCaster) - 2.0) / 18.0;
+    const double reached = (9.0 - clearance) / 18.0;
     EXPECT_NEAR(litShare(quads({rising(8.0f, -10.0f)}), at({0.0, 0.0, -1.0}), lamp), 1.0 - reached, tolerance);  // 21
-    // 28: a caster is seen down to 1e-5 of the way, and not nearer.
+    // 28: a caster is seen down to the clearance, and not nearer.
     EXPECT_EQ(litShare(quads({rising(1e-3f, 1e-3f)}), origin, lamp), 0.0);
-    EXPECT_EQ(litShare(quads({rising(1.01e-4f, 1.01e-4f)}), origin, lamp), 0.0);
-    EXPECT_EQ(litShare(quads({rising(0.99e-4f, 0.99e-4f)}), origin, lamp), 1.0);
+    EXPECT_EQ(litShare(quads({rising(1.01e-5f, 1.01e-5f)}), origin, lamp), 0.0);
+    EXPECT_EQ(litShare(quads({rising(0.99e-5f, 0.99e-5f)}), origin, lamp), 1.0);
 }
 
 TEST(OracleClosedForm, ReceiversDoNotShadowThemselves) {
@@ -221,7 +225,8 @@ TEST(OracleClosedForm, OneCertainCasterSettlesTheMatter) {
     const auto marginal = [](const std::vector<Quad>& list) {
         const std::vector<glm::vec4> texels = pack(quads(list));
         const MovingTriangles triangles(texels);
-        return resolveShadow(SweptBvh(triangles), triangles, {0.1, 0.0, 0.0}, {0.1, 0.0, 10.0}, NO_TRIANGLE, 0.5)
+        return resolveShadow(SweptBvh(triangles), triangles, {0.1, 0.0, 0.0}, {0.1, 0.0, 10.0}, clearance, NO_TRIANGLE,
+                             0.5)
             .marginal;
     };
     const Quad certain = sliding(0.0f, 0.0f), touching = sliding(0.6f, 0.6f, 6.0f),

@@ -126,7 +126,7 @@ TEST(SegmentTriangle, TellsOneStepInTheLastPlace) {
         double x = 0.3;
         if (steps != 0) x = std::nextafter(x, steps > 0 ? 1.0 : 0.0);
         const glm::dvec3 left[3] = {{-5.0, -5.0, 5.0}, {x, -5.0, 5.0}, {x, 5.0, 5.0}};
-        const Meeting meeting = meet({from, to, 1e-5, 1.0, 10.0}, left);
+        const Meeting meeting = meet({from, to, 0.0, 1.0, 10.0}, left);
         EXPECT_EQ(meeting.hit, steps >= 0);
         EXPECT_TRUE(meeting.marginal);
     }
@@ -144,7 +144,7 @@ TEST(SegmentTriangle, LeavesNoGapBetweenNeighbours) {
         // The end is chosen so that the segment passes through the common edge as nearly as doubles allow.
         const glm::dvec3 to = from + 2.0 * (glm::mix(a, b, 0.5 + 0.4 * number(random)) - from);
         const glm::dvec3 one[3] = {a, b, a + side}, other[3] = {b, a, b - side};
-        const Segment segment{from, to, 1e-5, 1.0, glm::length(to - from)};
+        const Segment segment{from, to, 0.0, 1.0, glm::length(to - from)};
         const Meeting first = meet(segment, one), second = meet(segment, other);
         EXPECT_TRUE(first.hit || second.hit);
         EXPECT_TRUE(first.marginal && second.marginal);
@@ -154,12 +154,12 @@ TEST(SegmentTriangle, LeavesNoGapBetweenNeighbours) {
 TEST(SegmentTriangle, IsOpenAtItsEnds) {
     const glm::dvec3 triangle[3] = {{-1.0, -1.0, 5.0}, {1.0, -1.0, 5.0}, {0.0, 1.0, 5.0}};
     const glm::dvec3 below(0.0, 0.0, 0.0);
-    EXPECT_TRUE(meet({below, {0.0, 0.0, 5.1}, 1e-5, 1.0, 5.0}, triangle).hit);
-    EXPECT_FALSE(meet({below, {0.0, 0.0, 5.0}, 1e-5, 1.0, 5.0}, triangle).hit);
-    EXPECT_TRUE(meet({below, {0.0, 0.0, std::nextafter(5.0, 6.0)}, 1e-5, 1.0, 5.0}, triangle).hit);
+    EXPECT_TRUE(meet({below, {0.0, 0.0, 5.1}, 0.0, 1.0, 5.0}, triangle).hit);
+    EXPECT_FALSE(meet({below, {0.0, 0.0, 5.0}, 0.0, 1.0, 5.0}, triangle).hit);
+    EXPECT_TRUE(meet({below, {0.0, 0.0, std::nextafter(5.0, 6.0)}, 0.0, 1.0, 5.0}, triangle).hit);
     EXPECT_FALSE(meet({below, {0.0, 0.0, 10.0}, 0.5, 1.0, 10.0}, triangle).hit);
     EXPECT_TRUE(meet({below, {0.0, 0.0, 10.0}, std::nextafter(0.5, 0.0), 1.0, 10.0}, triangle).hit);
-    EXPECT_FALSE(meet({below, {0.0, 0.0, -10.0}, 1e-5, 1.0, 10.0}, triangle).hit);
+    EXPECT_FALSE(meet({below, {0.0, 0.0, -10.0}, 0.0, 1.0, 10.0}, triangle).hit);
     EXPECT_TRUE(meet({below,
                       {0.0, 0.0, 1.0},
                       0.1,
@@ -169,8 +169,20 @@ TEST(SegmentTriangle, IsOpenAtItsEnds) {
                     .hit);
 }
 
+/// A plane that passes the beginning within the clearance is not met, on whichever side and at whatever angle.
+TEST(SegmentTriangle, LeavesOutWhatIsWithinTheClearance) {
+    for (const double gap : {1e-3, 1.01e-4, 0.99e-4, 0.0, -1e-3}) {
+        const glm::dvec3 triangle[3] = {{-1.0, -1.0, gap}, {1.0, -1.0, gap}, {0.0, 1.0, gap}};
+        for (const glm::dvec3& to :
+             {glm::dvec3(0.0, 0.0, 10.0), glm::dvec3(100.0, 0.0, 1.0), glm::dvec3(0.0, 0.0, 1e6)})
+            EXPECT_EQ(meet({{0.0, 0.0, 0.0}, to, 0.0, 1.0, 10.0, 1e-4}, triangle).hit,
+                      gap > 1e-4 && gap * to.x / to.z < 0.4)
+                << gap;
+    }
+}
+
 TEST(SegmentTriangle, MissesWhatHasNoArea) {
-    const Segment segment{{0.0, 0.0, 0.0}, {0.0, 0.0, 10.0}, 1e-5, 1.0, 10.0};
+    const Segment segment{{0.0, 0.0, 0.0}, {0.0, 0.0, 10.0}, 0.0, 1.0, 10.0};
     const glm::dvec3 edgeOn[3] = {{-1.0, 0.0, 4.0}, {0.0, 0.0, 6.0}, {1.0, 0.0, 4.0}};
     EXPECT_FALSE(meet(segment, edgeOn).hit);
     const glm::dvec3 point[3] = {{0.0, 0.0, 5.0}, {0.0, 0.0, 5.0}, {0.0, 0.0, 5.0}};
@@ -182,7 +194,7 @@ TEST(SegmentTriangle, MissesWhatHasNoArea) {
 TEST(SegmentTriangle, SaysWhatAFloatCouldHaveDecidedOtherwise) {
     const glm::dvec3 triangle[3] = {{-1.0, -1.0, 5.0}, {1.0, -1.0, 5.0}, {1.0, 1.0, 5.0}};
     const auto meetingAt = [&](double x, double z) {
-        return meet({{x, -0.5, 0.0}, {x, -0.5, z}, 1e-5, 1.0, z}, triangle);
+        return meet({{x, -0.5, 0.0}, {x, -0.5, z}, 0.0, 1.0, z}, triangle);
     };
     EXPECT_TRUE(meetingAt(1.0 + 1e-6, 10.0).marginal);
     EXPECT_FALSE(meetingAt(1.0 + 1e-6, 10.0).hit);

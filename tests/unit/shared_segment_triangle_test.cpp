@@ -10,6 +10,8 @@
 
 namespace timeshade {
 namespace {
+/// Of every receiver here, in world units: more than the rounding of coordinates of ten.
+constexpr float clearance = 1e-5f;
 
 using glm::dvec3;
 using glm::vec3;
@@ -35,20 +37,18 @@ bool undecided(const SegmentAndTriangle& s) {
     const dvec3 sizes(x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x);
     const double plane = glm::dot(n, v0), through = glm::dot(n, l);
     const double error = std::ldexp(glm::dot(sizes, glm::abs(v0)) + glm::dot(sizes, glm::abs(l)), -20) + 1e-30;
-    const double nearError =
-        std::ldexp(glm::dot(sizes, glm::abs(v0)) + 1e-5 * glm::dot(sizes, glm::abs(l)), -20) + 1e-30;
     return std::abs(through) <= error || std::abs(std::abs(plane) - std::abs(through)) <= error ||
-           std::abs(plane - 1e-5 * through) <= nearError;
+           std::abs(std::abs(plane) - static_cast<double>(clearance) * glm::length(n)) <= error;
 }
 
 bool exactly(const SegmentAndTriangle& s) {
-    const oracle::Segment segment{dvec3(0.0), dvec3(s.toLight), 1e-5, 1.0, HUGE_VAL};
+    const oracle::Segment segment{dvec3(0.0), dvec3(s.toLight), 0.0, 1.0, HUGE_VAL, static_cast<double>(clearance)};
     const dvec3 vertices[3] = {dvec3(s.v[0]), dvec3(s.v[1]), dvec3(s.v[2])};
     return oracle::meet(segment, vertices).hit;
 }
 
 bool inFloats(const SegmentAndTriangle& s) {
-    return shared::segmentMeetsTriangle(s.toLight, s.v[0], s.v[1], s.v[2], 0.0f);
+    return shared::segmentMeetsTriangle(s.toLight, s.v[0], s.v[1], s.v[2], clearance);
 }
 
 TEST(SharedSegmentTriangle, DecidesAsExactArithmetic) {
@@ -115,14 +115,47 @@ TEST(SharedSegmentTriangle, CoplanarNeighboursDoNotShadow) {
     EXPECT_GT(withoutRule, 100) << "the light does not graze: the test above shows nothing";
 }
 
-TEST(SharedSegmentTriangle, ContactsCastShadowsDownToTheLeastRelativeDistance) {
-    for (const float gap : {1e-1f, 1e-2f, 1e-3f, 2e-4f, 1.1e-4f, 0.9e-4f, 1e-5f, 1e-6f}) {
-        const bool expected = gap > 1e-4f;  // 1e-5 of the distance to a light ten away
-        const vec3 l(0.0f, 0.0f, 10.0f);
-        EXPECT_EQ(shared::segmentMeetsTriangle(l, {-1.0f, -1.0f, gap}, {1.0f, -1.0f, gap}, {0.1f, 1.0f, gap}, 0.0f),
-                  expected)
-            << gap;
+TEST(SharedSegmentTriangle, ContactsCastShadowsDownToTheClearance) {
+    for (const float gap : {1e-1f, 1e-3f, 1e-5f, 1.1e-6f, 0.9e-6f, 1e-7f, -1e-6f})
+        for (const float distance : {1.0f, 10.0f, 1e5f}) {  // to the light, which does not matter
+            const vec3 l(0.3f * distance, 0.0f, distance);
+            EXPECT_EQ(
+                shared::segmentMeetsTriangle(l, {-1.0f, -1.0f, gap}, {1.0f, -1.0f, gap}, {0.1f, 1.0f, gap}, 1e-6f),
+                gap > 1e-6f)
+                << gap << ", light at " << distance;
+        }
+}
+
+/// What a receiver's position may be wrong by in floats is less than its clearance: weighted sums of the vertices of
+/// triangles of all shapes, against the same in double precision.
+TEST(ReceiverClearance, BoundsTheRoundingOfReceivers) {
+    AwkwardNumbers numbers(6);
+    double worst = 0.0;
+    for (int i = 0; i < 300000; ++i) {
+        const vec3 open[3] = {numbers.point(), numbers.point(), numbers.point()};
+        const vec3 close[3] = {numbers.point(), numbers.point(), numbers.point()};
+        const float u = numbers.unit(), b = numbers.unit(), c = (1.0f - b) * numbers.unit();
+        const vec3 weights = vec3(1.0f - b - c, b, c) * numbers.between(0.5f, 2.0f);
+        const vec3 w = weights / (weights.x + weights.y + weights.z);  // as receiverOf makes them
+        vec3 v[3], p(0.0f);
+        dvec3 exact(0.0);
+        const dvec3 exactWeights = dvec3(weights) / (dvec3(weights).x + dvec3(weights).y + dvec3(weights).z);
+        for (int k = 0; k < 3; ++k) {
+            v[k] = glm::mix(open[k], close[k], u);
+            exact += exactWeights[k] * (dvec3(open[k]) * (1.0 - double(u)) + dvec3(close[k]) * double(u));
+        }
+        p = w.x * v[0] + w.y * v[1] + w.z * v[2];
+        // Of vertices that cancel while they move, the rounding is that of their ends.
+        float ends = 0.0f;
+        for (int k = 0; k < 3; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                ends = std::max({ends, std::abs(open[k][axis]), std::abs(close[k][axis])});
+        const float bound = std::max(shared::receiverClearance(v[0], v[1], v[2]), std::ldexp(ends, -22));
+        const dvec3 off = glm::abs(dvec3(p) - exact);
+        worst = std::max(worst, std::max({off.x, off.y, off.z}) / static_cast<double>(bound));
     }
+    EXPECT_LT(worst, 1.0);
+    EXPECT_GT(worst, 0.1) << "the bound is far from what happens";
 }
 
 /// A segment that is equally far inside of all three edges: equal sides are no sign of a triangle without area.

@@ -40,14 +40,21 @@ def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
 
 
-def blocks(triangle, u, point, towards):
-    """Does the segment from the point, along `towards`, meet the triangle at a relative distance in (1e-5, 1)?"""
+def clearance_of(triangle, u):
+    """How near a caster's plane may pass a receiver on the triangle: 2^-21 of its largest coordinate at the time."""
+    return 2.0**-21 * max(abs(c) for c in mix(triangle[1:10], triangle[10:19], u))
+
+
+def blocks(triangle, u, point, towards, clearance):
+    """Does the segment from the point, along `towards`, meet the triangle before its end, farther than the clearance
+    from the triangle's plane?"""
     v = [sub(mix(triangle[3 * i + 1:3 * i + 4], triangle[3 * i + 10:3 * i + 13], u), point) for i in range(3)]
     e = [dot(towards, cross(v[1], v[2])), dot(towards, cross(v[2], v[0])), dot(towards, cross(v[0], v[1]))]
     if min(e) < 0 < max(e) or e == [0, 0, 0]:
         return False
-    distance = dot(v[0], cross(v[1], v[2])) / sum(e)
-    return 1e-5 < distance < 1
+    volume = dot(v[0], cross(v[1], v[2]))
+    normal = cross(sub(v[1], v[0]), sub(v[2], v[0]))
+    return 0 < volume / sum(e) < 1 and abs(volume) > clearance * dot(normal, normal)**0.5
 
 
 def main():
@@ -63,6 +70,7 @@ def main():
             raise SystemExit(f"FAIL: {' '.join(command)}: {result.stderr}")
         report = json.loads(result.stdout)
         triangles = rows(os.path.join(dump, "triangles.csv"))
+        by_number = {triangle[0]: triangle for triangle in triangles}
         light = rows(os.path.join(dump, "light.csv"))[0]
         directional = light[9] < -1
         tested = disagree = shadowed = 0
@@ -72,7 +80,8 @@ def main():
             tested += 1
             point = [x, y, z]
             towards = [-1e3 * c for c in light[6:9]] if directional else sub(mix(light[0:3], light[3:6], u), point)
-            dark = any(blocks(t, u, point, towards) for t in triangles if t[0] != number)
+            clearance = clearance_of(by_number[number], u)
+            dark = any(blocks(t, u, point, towards, clearance) for t in triangles if t[0] != number)
             shadowed += dark
             disagree += dark == (lit >= 0.5)
         print(f"tested {tested} (reported {report['tested']}), shadowed {shadowed} ({report['shadowed']}), "

@@ -73,7 +73,7 @@ struct Trial {
 Trial tryTriangle(VertexMotion t, Receiver r, float u, vec3 toLight, float texel) {
     SeenVertices seen = seenVertices(t, r.position, u);
     vec3 v0 = seen.v0, v1 = seen.v1, v2 = seen.v2;
-    Trial trial = Trial(segmentMeetsTriangle(toLight, v0, v1, v2, 0.0), 0.0);
+    Trial trial = Trial(segmentMeetsTriangle(toLight, v0, v1, v2, r.clearance), 0.0);
     if (trial.met) return trial;
     vec3 way = normalize(toLight);
     vec3 edge0 = cross(way, v2 - v1), edge1 = cross(way, v0 - v2), edge2 = cross(way, v1 - v0);
