@@ -48,14 +48,16 @@ void SampleDump::writeTriangles(const FramePlan& plan) const {
 }
 
 void SampleDump::writeLight(const FramePlan& plan) const {
-    std::string text = "x0,y0,z0,x1,y1,z1,axis_x,axis_y,axis_z,cos_half_angle\n";
+    std::string text = "x0,y0,z0,x1,y1,z1,axis_x,axis_y,axis_z,cos_half_angle,axis_x_close,axis_y_close,axis_z_close\n";
     const bool directional = plan.lightOpen.kind == LightKind::Directional;
-    const glm::dvec3 direction = -plan.lightOpen.axes[2];
-    std::string line;
-    appendVector(line, directional ? direction : plan.lightOpen.position - plan.origin);
-    appendVector(line, directional ? direction : plan.lightClose.position - plan.origin);
-    appendVector(line, direction);
-    text += line.substr(1) + fmt::format(",{:.9g}\n", directional ? -2.0 : std::cos(plan.lightOpen.outerConeAngle));
+    const glm::dvec3 open(glm::dvec4(plan.block.lightDirection)), close(glm::dvec4(plan.block.lightDirectionClose));
+    std::string line, end;
+    appendVector(line, directional ? open : plan.lightOpen.position - plan.origin);
+    appendVector(line, directional ? close : plan.lightClose.position - plan.origin);
+    appendVector(line, open);
+    appendVector(end, close);
+    text += line.substr(1) + fmt::format(",{:.9g}", directional ? -2.0 : std::cos(plan.lightOpen.outerConeAngle)) +
+            end + "\n";
     writeFileAtomically(part_ / "light.csv", text);
 }
 

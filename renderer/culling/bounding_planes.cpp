@@ -14,8 +14,11 @@ BoundingPlanes::BoundingPlanes(const Bounds& extent, const shared::FrameBlock& b
         for (const bool above : {false, true}) {
             const double side = above ? extent.high[axis] : extent.low[axis], inwards = above ? -1.0 : 1.0;
             // How far the light stays from the side.
-            double away = -static_cast<double>(block.lightDirection[axis]) *
-                          static_cast<double>(light.block.farDistance) * inwards;
+            const float against = inwards * static_cast<double>(block.lightDirection[axis]) >
+                                          inwards * static_cast<double>(block.lightDirectionClose[axis])
+                                      ? block.lightDirection[axis]
+                                      : block.lightDirectionClose[axis];
+            double away = -static_cast<double>(against) * static_cast<double>(light.block.farDistance) * inwards;
             if (!directional)
                 away = std::min((static_cast<double>(block.lightPositionOpen[axis]) - side) * inwards,
                                 (static_cast<double>(block.lightPositionClose[axis]) - side) * inwards);

@@ -13,7 +13,9 @@ CasterCulling::CasterCulling(const FramePlan& plan, const ClosedSurfaces& surfac
 CasterCulling::Reason CasterCulling::of(std::uint32_t triangle) const {
     CHECK_LT(triangle, plan_.triangles->size());
     CHECK_LT(triangle, surfaces_.ofTriangles().size());
-    const bool away = (*plan_.triangles)[triangle].light.facing == Facing::Away;
+    // Under a sun that turns, what a triangle that moves shows it in between does not follow from both ends.
+    const bool known = plan_.light.projection == Projection::Perspective || plan_.motion.lightTurnDegrees == 0.0;
+    const bool away = known && (*plan_.triangles)[triangle].light.facing == Facing::Away;
     if (away && cullable_[surfaces_.ofTriangles()[triangle]] != 0) return Reason::FacingAway;
     return boundingPlanes_.holds(plan_.texels->positions, triangle) ? Reason::NoReceiverBehind : Reason::None;
 }

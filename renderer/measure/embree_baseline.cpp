@@ -153,9 +153,10 @@ struct EmbreeBaseline::Implementation {
             valid[lane] = end.time >= 0.0f ? -1 : 0;
             const glm::vec3 light =
                 glm::mix(glm::vec3(plan.block.lightPositionOpen), glm::vec3(plan.block.lightPositionClose), end.time);
-            const glm::vec3 direction = directional
-                                            ? -glm::vec3(plan.block.lightDirection) * plan.light.block.farDistance
-                                            : light - end.position;
+            const glm::vec3 direction = directional ? -glm::mix(glm::vec3(plan.block.lightDirection),
+                                                                glm::vec3(plan.block.lightDirectionClose), end.time) *
+                                                          plan.light.block.farDistance
+                                                    : light - end.position;
             packet.org_x[lane] = end.position.x;
             packet.org_y[lane] = end.position.y;
             packet.org_z[lane] = end.position.z;

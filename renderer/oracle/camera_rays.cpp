@@ -20,6 +20,12 @@ double clearanceOf(const glm::dvec3 (&v)[3]) {
     return std::ldexp(largest, -21);
 }
 
+/// Against a spot's axis at time u.
+glm::dvec3 spotBack(const FramePlan& plan, double u) {
+    if (plan.lightOpen.axes[2] == plan.lightClose.axes[2]) return plan.lightOpen.axes[2];
+    return glm::normalize(between(plan.lightOpen.axes[2], plan.lightClose.axes[2], u));
+}
+
 /// Facing and cone, as design section 1 and `facesLight` of the shaders define them.
 void testLight(const FramePlan& plan, const glm::dvec3& normal, Receiver& receiver) {
     OracleAnswer& answer = receiver.answer;
@@ -29,7 +35,8 @@ void testLight(const FramePlan& plan, const glm::dvec3& normal, Receiver& receiv
     answer.marginal = std::abs(facing) <= marginalShare * scale * glm::length(normal);
     answer.tested = facing > 0.0;
     if (plan.lightOpen.kind == LightKind::Directional) return;
-    const double along = glm::dot(l, plan.lightOpen.axes[2]);  // the light looks along -axes[2]
+    const glm::dvec3 back = spotBack(plan, static_cast<double>(answer.time));
+    const double along = glm::dot(l, back);  // the light looks along -back
     const double inside = along - std::cos(plan.lightOpen.outerConeAngle) * glm::length(l);
     answer.marginal = answer.marginal || std::abs(inside) <= marginalShare * scale;
     answer.tested = answer.tested && inside >= 0.0;
@@ -56,8 +63,13 @@ CameraRay cameraRayThrough(const FramePlan& plan, glm::vec2 place, float u) {
 }
 
 glm::dvec3 lightEnd(const FramePlan& plan, const glm::dvec3& position, double u) {
-    if (plan.lightOpen.kind == LightKind::Directional)
-        return position + static_cast<double>(plan.light.block.farDistance) * plan.lightOpen.axes[2];
+    if (plan.lightOpen.kind == LightKind::Directional) {
+        // Its component along the mean direction is the same at every time: the length that the map's depth needs.
+        const glm::dvec3& mean = plan.lightAxes[2];
+        const glm::dvec3 back = between(plan.lightOpen.axes[2] / glm::dot(plan.lightOpen.axes[2], mean),
+                                        plan.lightClose.axes[2] / glm::dot(plan.lightClose.axes[2], mean), u);
+        return position + static_cast<double>(plan.light.block.farDistance) * back;
+    }
     return between(plan.lightOpen.position - plan.origin, plan.lightClose.position - plan.origin, u);
 }
 

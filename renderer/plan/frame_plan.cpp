@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "core/check.h"
+#include "core/error.h"
 #include "plan/mesh_texels.h"
 #include "shared/hash.shared.h"
 
@@ -41,41 +43,103 @@ ViewPlan planCamera(const Scene& scene, const FrameRequest& request, const glm::
 /// Of the scene's diagonal: a lamp one unit above a ground of 100,000 still sees all of it.
 constexpr double spotNearShare = 1e-4 / 128.0;
 
-/// The shadow map of a spot light covers its outer cone. Its near plane has to be nearer than any geometry, since what
-/// lies before it casts no shadow: a small lamp on a large ground. Stored depth has relative precision, so that this costs
-/// none.
-ViewPlan planSpotMap(const LightPose& open, const LightPose& close, const FramePlan& plan, double sceneDiagonal) {
-    const double side = 2.0 * std::tan(open.outerConeAngle);
+/// How far a light may turn within a shutter: its direction is interpolated, and near 180 degrees there is none
+/// halfway.
+constexpr double largestLightTurn = 90.0;
+
+double turnDegrees(const LightPose& open, const LightPose& close) {
+    if (open.axes[2] == close.axes[2]) return 0.0;
+    return glm::degrees(2.0 * std::asin(std::min(1.0, 0.5 * glm::length(open.axes[2] - close.axes[2]))));
+}
+
+/// The axes of the light's map: those in the middle of the shutter; where the light turns, with the third one turned
+/// onto the mean direction, to which that of both ends has the same angle.
+glm::dmat3 mapAxes(const LightPose& open, const LightPose& middle, const LightPose& close) {
+    if (open.axes[2] == close.axes[2]) return middle.axes;
+    const glm::dvec3 back = glm::normalize(open.axes[2] + close.axes[2]);
+    glm::dvec3 up = middle.axes[1] - back * glm::dot(middle.axes[1], back);
+    if (glm::length(up) < 1e-3) up = middle.axes[2] - back * glm::dot(middle.axes[2], back);
+    up = glm::normalize(up);
+    return {glm::cross(up, back), up, back};
+}
+
+/// The way that a sun's light travels, as long as makes its component along the map's axis 1.
+glm::dvec3 directionOf(const LightPose& light, const glm::dmat3& axes) {
+    if (light.axes[2] == axes[2]) return -light.axes[2];
+    return -light.axes[2] / glm::dot(light.axes[2], axes[2]);
+}
+
+/// The shadow map of a spot light covers its outer cone, where the spot turns at both ends. Its near plane has to be
+/// nearer than any geometry, since what lies before it casts no shadow: a small lamp on a large ground. Stored depth
+/// has relative precision, so that this costs none.
+ViewPlan planSpotMap(const FramePlan& plan, double sceneDiagonal) {
+    const LightPose &open = plan.lightOpen, &close = plan.lightClose;
+    constexpr double widest = 1.48;  // radians, as of a cone that stands still
+    const double turn = glm::radians(turnDegrees(open, close)), half = open.outerConeAngle + 0.5 * turn;
+    if (turn > 0.0 && half > widest)
+        throw Error(
+            fmt::format("the spot light turns by {:.1f} degrees within the shutter, with a cone of {:.1f} degrees "
+                        "from its axis; expected a cone and half of the turn of at most {:.1f} degrees together",
+                        glm::degrees(turn), glm::degrees(open.outerConeAngle), glm::degrees(widest)));
+    const double side = 2.0 * std::tan(half);
+    const glm::dmat3& axes = plan.lightAxes;
     ViewPlan view;
     view.open.eye = open.position - plan.origin;
     view.close.eye = close.position - plan.origin;
-    view.open.right = view.close.right = open.axes[0] * side;
-    view.open.up = view.close.up = open.axes[1] * side;
-    view.open.corner = view.close.corner = -open.axes[2] - 0.5 * side * (open.axes[0] + open.axes[1]);
+    view.open.right = view.close.right = axes[0] * side;
+    view.open.up = view.close.up = axes[1] * side;
+    view.open.corner = view.close.corner = -axes[2] - 0.5 * side * (axes[0] + axes[1]);
     finishView(view, glm::dvec2(plan.request.mapSize), spotNearShare * sceneDiagonal, 0.0);
     return view;
 }
 
-/// The shadow map of a directional light is fitted to all vertices at both ends of the shutter.
-ViewPlan planDirectionalMap(const LightPose& light, const FramePlan& plan) {
-    Bounds bounds;  // in the light's axes
-    const glm::dmat3 lightFromWorld = glm::transpose(light.axes);
-    for (const auto* positions : {&plan.mesh->positionsOpen, &plan.mesh->positionsClose})
-        for (const glm::dvec3& position : *positions) bounds.add(lightFromWorld * (position - plan.origin));
+/// Bounds of all vertices in the map's axes, along the light's direction at both ends; of what moves while a sun turns,
+/// also of the control points between, within whose hull its parabola lies.
+Bounds boundsInMap(const FramePlan& plan, const glm::dvec3 (&directions)[2]) {
+    const glm::dmat3 mapFromWorld = glm::transpose(plan.lightAxes);
+    const auto slanted = [&](const glm::dvec3& position, const glm::dvec3& direction) {
+        const glm::dvec3 p = mapFromWorld * (position - plan.origin), d = mapFromWorld * direction;
+        return glm::dvec3(p.x + d.x * p.z, p.y + d.y * p.z, p.z);  // d.z is -1
+    };
+    const bool turns = directions[0] != directions[1];
+    const std::vector<glm::dvec3>&open = plan.mesh->positionsOpen, &close = plan.mesh->positionsClose;
+    Bounds bounds;
+    for (std::size_t v = 0; v < open.size(); ++v) {
+        bounds.add(turns ? slanted(open[v], directions[0]) : mapFromWorld * (open[v] - plan.origin));
+        bounds.add(turns ? slanted(close[v], directions[1]) : mapFromWorld * (close[v] - plan.origin));
+        if (turns) bounds.add(0.5 * (slanted(open[v], directions[1]) + slanted(close[v], directions[0])));
+    }
+    return bounds;
+}
+
+/// The shadow map of a directional light is fitted to all vertices at both ends of the shutter. Where the light turns,
+/// its plane stays across the mean direction, and what is projected slants: that keeps map coordinates of what stands
+/// still linear in u, and depth linear for all.
+ViewPlan planDirectionalMap(const FramePlan& plan) {
+    const glm::dmat3& axes = plan.lightAxes;
+    const glm::dvec3 directions[2] = {directionOf(plan.lightOpen, axes), directionOf(plan.lightClose, axes)};
+    Bounds bounds = boundsInMap(plan, directions);
     const double margin = 1e-3 * std::max(bounds.diagonal(), 1e-9);
     bounds.low -= margin;
     bounds.high += margin;
     // Square texels, so that a bias in texels means one length.
     const double side = std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
-    const glm::dvec3 extent(side, side, bounds.high.z - bounds.low.z);
+    const bool turns = directions[0] != directions[1];
     ViewPlan view;
     view.projection = Projection::Orthographic;
-    view.open.eye = light.axes * glm::dvec3(bounds.low.x, bounds.low.y, bounds.high.z);
-    view.open.corner = glm::dvec3(0.0);
-    view.open.right = light.axes[0] * extent.x;
-    view.open.up = light.axes[1] * extent.y;
-    view.close = view.open;
-    finishView(view, glm::dvec2(plan.request.mapSize), 0.0, extent.z);
+    const auto endOf = [&](const glm::dvec3& direction) {
+        ViewEnd end;
+        end.corner = glm::dvec3(0.0);
+        end.right = axes[0] * side;
+        end.up = axes[1] * side;
+        end.direction = turns ? direction : glm::normalize(glm::cross(end.up, end.right));
+        // The corner is where it is on the plane through the origin, and lies upstream on the nearest plane.
+        end.eye = axes[0] * bounds.low.x + axes[1] * bounds.low.y - direction * bounds.high.z;
+        return end;
+    };
+    view.open = endOf(directions[0]);
+    view.close = endOf(directions[1]);
+    finishView(view, glm::dvec2(plan.request.mapSize), 0.0, bounds.high.z - bounds.low.z);
     return view;
 }
 
@@ -87,7 +151,12 @@ void fillLight(shared::FrameBlock& block, const FramePlan& plan, double exposure
     block.lightPositionClose = glm::vec4(glm::dvec4(plan.lightClose.position - plan.origin, 0.0));
     block.cameraPositionOpen = glm::vec4(glm::dvec4(plan.camera.open.eye, 0.0));
     block.cameraPositionClose = glm::vec4(glm::dvec4(plan.camera.close.eye, 0.0));
-    block.lightDirection = glm::vec4(glm::dvec4(-light.axes[2], light.kind == LightKind::Directional ? 1.0 : 0.0));
+    const bool directional = light.kind == LightKind::Directional;
+    const auto direction = [&](const LightPose& end) {
+        return directional ? directionOf(end, plan.lightAxes) : -end.axes[2];
+    };
+    block.lightDirection = glm::vec4(glm::dvec4(direction(plan.lightOpen), directional ? 1.0 : 0.0));
+    block.lightDirectionClose = glm::vec4(glm::dvec4(direction(plan.lightClose), directional ? 1.0 : 0.0));
     block.lightIntensity = glm::vec4(glm::dvec4(light.intensity * exposure, 0.0));
     // Width of a map texel: at distance 1 from a spot, at any distance from a directional light.
     const double texel = glm::length(plan.light.open.right) / plan.request.mapSize;
@@ -132,7 +201,9 @@ MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
     countInstances(plan, motion);
     motion.triangles = plan.mesh->topology->triangles.size();
     motion.movingTriangles = movingTriangles;
-    motion.lightMoves = plan.lightOpen.kind == LightKind::Spot && plan.lightOpen.position != plan.lightClose.position;
+    motion.lightTurnDegrees = turnDegrees(plan.lightOpen, plan.lightClose);
+    motion.lightMoves = motion.lightTurnDegrees > 0.0 ||
+                        (plan.lightOpen.kind == LightKind::Spot && plan.lightOpen.position != plan.lightClose.position);
     motion.cameraMoves = plan.camera.turns || plan.camera.open.eye != plan.camera.close.eye;
     motion.largestTurnDegrees = plan.mesh->largestTurnDegrees;
     return motion;
@@ -151,9 +222,33 @@ void checkRequest(const FrameRequest& request) {
     CHECK_GE(request.shutter.length, 0.0);
 }
 
+std::string lightWords(const MotionSummary& motion) {
+    if (motion.lightTurnDegrees > 0.0) return fmt::format("turns by {:.3g} degrees", motion.lightTurnDegrees);
+    return motion.lightMoves ? "moves" : "stands still";
+}
+
+/// Shadow maps and what is built on them take a caster's path in the map as straight. Where a sun turns over one that
+/// moves it is a parabola: what they may be off by.
+std::optional<std::string> bentPathWarning(const FramePlan& plan) {
+    if (plan.light.projection != Projection::Orthographic || plan.motion.lightTurnDegrees == 0.0) return std::nullopt;
+    const glm::mat3 turn =
+        glm::mat3(plan.light.block.viewFromWorldClose) - glm::mat3(plan.light.block.viewFromWorldOpen);
+    float largest = 0.0f;
+    for (std::size_t v = 0; v + 1 < plan.texels->vertices.size(); v += 2) {
+        const glm::vec3 off = glm::abs(turn * (plan.texels->vertices[v + 1] - plan.texels->vertices[v]));
+        largest = std::max({largest, off.x, off.y});
+    }
+    const double texels = 0.25 * static_cast<double>(largest) * plan.request.mapSize;
+    if (texels < 0.5) return std::nullopt;
+    return fmt::format(
+        "casters move while the sun turns: shadow maps take their paths as straight, which is off by up to {:.1f} "
+        "texels",
+        texels);
+}
+
 std::string motionWords(const MotionSummary& motion) {
     return fmt::format("{} of {} triangles move, the light {}, the camera {}", motion.movingTriangles, motion.triangles,
-                       motion.lightMoves ? "moves" : "stands still", motion.cameraMoves ? "moves" : "stands still");
+                       lightWords(motion), motion.cameraMoves ? "moves" : "stands still");
 }
 
 }  // namespace
@@ -192,12 +287,19 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     plan.images = &scene_.images();
     plan.lightOpen = scene_.light(open);
     plan.lightClose = scene_.light(close);
-    // The orientation of the shadow map is constant during a shutter: the light's at the centre of the shutter.
-    plan.lightOpen.axes = plan.lightClose.axes = scene_.light(0.5 * (open + close)).axes;
+    const LightPose middle = scene_.light(0.5 * (open + close));
+    // Rounding, or a spot that rolls about its axis, is no turn.
+    if (glm::length(plan.lightOpen.axes[2] - plan.lightClose.axes[2]) < 1e-9)
+        plan.lightOpen.axes = plan.lightClose.axes = middle.axes;
+    plan.lightAxes = mapAxes(plan.lightOpen, middle, plan.lightClose);
+    if (const double turn = turnDegrees(plan.lightOpen, plan.lightClose); turn > largestLightTurn)
+        throw Error(
+            fmt::format("the light turns by {:.1f} degrees within the shutter; expected at most {:.0f}: shorten "
+                        "the shutter",
+                        turn, largestLightTurn));
     plan.camera = planCamera(scene_, request, origin_, open, close);
-    plan.light = plan.lightOpen.kind == LightKind::Directional
-                     ? planDirectionalMap(plan.lightOpen, plan)
-                     : planSpotMap(plan.lightOpen, plan.lightClose, plan, scene_.bounds().diagonal());
+    plan.light = plan.lightOpen.kind == LightKind::Directional ? planDirectionalMap(plan)
+                                                               : planSpotMap(plan, scene_.bounds().diagonal());
 
     fillLight(plan.block, plan, exposure_);
     plan.block.timeBase = 0.0f;
@@ -223,6 +325,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
             "shrinks it by {:.1f} % half-way (at most {:.0f} degrees keep that under 0.9 %)",
             plan.motion.largestTurnDegrees,
             100.0 * (1.0 - std::cos(glm::radians(0.5 * plan.motion.largestTurnDegrees))), turnWarningDegrees));
+    if (const std::optional<std::string> bent = bentPathWarning(plan)) plan.warnings.push_back(*bent);
     return plan;
 }
 
@@ -239,7 +342,8 @@ void FramePlanner::decideMotion(FramePlan& plan) {
     plan.rest = rest_;
     if (!planned || !plan.request.useCaches) return;
     plan.versions = motion.versions;
-    const bool lightMoves = plan.block.lightPositionOpen != plan.block.lightPositionClose;
+    const bool lightMoves = plan.block.lightPositionOpen != plan.block.lightPositionClose ||
+                            plan.block.lightDirection != plan.block.lightDirectionClose;
     if (plan.camera.staticTriangles.empty()) plan.versions.samples = 0;
     if (plan.versions.samples == 0 || lightMoves) plan.versions.lit = 0;
     if (plan.versions.lit != 0 && !plan.casters.nothingMoves())

@@ -31,7 +31,8 @@ struct MeshTexels {
 struct MotionSummary {
     std::size_t triangles = 0;
     std::size_t movingTriangles = 0;  ///< at least one vertex moves in world space
-    bool lightMoves = false;
+    bool lightMoves = false;          ///< its position changes, or its direction
+    double lightTurnDegrees = 0.0;    ///< by how much a spot's axis or a sun's direction turns
     bool cameraMoves = false;
     std::size_t reclassified = 0;             ///< triangles whose motion could not be reused from the previous frame
     std::size_t instances = 0;                ///< mesh instances
@@ -57,6 +58,8 @@ struct FramePlan {
     std::shared_ptr<const MeshTexels> texels;
     Bounds extent;  ///< of all vertices at both ends of the shutter, relative to the origin
     LightPose lightOpen, lightClose;
+    glm::dmat3 lightAxes{
+        1.0};  ///< of the light's map, constant during a shutter: right, up, back along the mean direction
     ViewPlan camera;
     ViewPlan light;
     shared::FrameBlock block{};

@@ -34,6 +34,7 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
     const bool sameCamera = !first && sameBytes(camera_, views.camera.block) && block_.strata == views.block.strata;
     const bool sameLight = !first && sameBytes(light_, views.light.block) &&
                            block_.lightDirection == views.block.lightDirection &&
+                           block_.lightDirectionClose == views.block.lightDirectionClose &&
                            block_.lightPositionOpen == views.block.lightPositionOpen &&
                            block_.lightPositionClose == views.block.lightPositionClose;
     const bool sameBlock = !first && sameBytes(block_, views.block);

@@ -16,8 +16,9 @@ float largest(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y
 }  // namespace
 
 // The points behind a vertex p, seen from the light l, are p + t (p - l) with t >= 0. A plane's function f is linear,
-// so they are all outside if f(p) < 0 and f(p) - f(l) < 0. Since p and l are linear in u and a triangle is the convex
-// hull of its vertices, it suffices to test three vertices at both ends of the shutter.
+// so they are all outside if f(p) < 0 and f(p) - f(l) < 0. Since p and l (or the direction of a
+// sun) are linear in u and a triangle is the convex hull of its vertices, it suffices to test three vertices at both
+// ends of the shutter.
 bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera) {
     if (views.camera.turns || views.camera.projection != Projection::Perspective) return true;
     bool outside[5] = {true, true, true, true, true};
@@ -40,7 +41,8 @@ bool shadowMayBeSeen(const FrameViews& views, const ViewTriangle& inCamera) {
         const glm::vec3 light(
             viewFromWorld *
             glm::vec4(glm::vec3(close ? views.block.lightPositionClose : views.block.lightPositionOpen), 1.0f));
-        const glm::vec3 direction = glm::mat3(viewFromWorld) * glm::vec3(views.block.lightDirection);
+        const glm::vec3 direction =
+            glm::mat3(viewFromWorld) * glm::vec3(close ? views.block.lightDirectionClose : views.block.lightDirection);
         for (const glm::vec3& vertex : close ? inCamera.close : inCamera.open) {
             const glm::vec3 onwards = directional ? direction : vertex - light;
             const float onwardsSlack = 1e-4f * (directional ? largest(direction) : largest(vertex) + largest(light));

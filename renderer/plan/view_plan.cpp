@@ -25,11 +25,12 @@ void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double far
     block.raysOpen = block.raysClose = glm::mat4(1.0f);
     view.turns = false;
     if (view.projection == Projection::Orthographic) {
-        // corner, right and up span the map; depth is along the third axis.
-        const glm::dvec3 direction = glm::normalize(glm::cross(view.open.up, view.open.right));
-        const glm::dmat3 viewFromWorld = glm::inverse(glm::dmat3(view.open.right, view.open.up, direction));
-        block.viewFromWorldOpen = viewMatrix(viewFromWorld, view.open.eye + view.open.corner);
-        block.viewFromWorldClose = viewMatrix(viewFromWorld, view.close.eye + view.close.corner);
+        // corner, right and up span the map; depth is across it.
+        const auto matrixOf = [](const ViewEnd& end) {
+            return viewMatrix(glm::inverse(glm::dmat3(end.right, end.up, end.direction)), end.eye + end.corner);
+        };
+        block.viewFromWorldOpen = matrixOf(view.open);
+        block.viewFromWorldClose = matrixOf(view.close);
         return;
     }
     const glm::dmat3 open = rayMatrix(view.open), close = rayMatrix(view.close);

@@ -20,6 +20,9 @@ struct ViewEnd {
     glm::dvec3 corner;  ///< from the eye to the image plane's lower left corner
     glm::dvec3 right;   ///< along the image's full width
     glm::dvec3 up;      ///< along the image's full height
+    /// Orthographic: the way that light travels, its component across the map's plane being 1. The plane is the same at
+    /// both ends; where a sun turns, what is projected on it slants.
+    glm::dvec3 direction{0.0};
 };
 
 /// Triangle ids in ascending order. Small ones are drawn as points: none is wider than maximumPointSide pixels at any
@@ -33,7 +36,7 @@ struct TriangleLists {
 /// A view of the scene during a shutter, the camera's or the shadow map's, and the triangles to draw in it.
 struct ViewPlan {
     Projection projection = Projection::Perspective;
-    bool turns = false;  ///< the view's axes differ between the ends; never for a light
+    bool turns = false;  ///< the view's image plane differs between the ends; never for a light
     ViewEnd open, close;
     shared::ViewBlock block{};
 

@@ -13,7 +13,8 @@ struct MapPoint {
 MapPoint mapPointOf(Receiver r, float u) {
     vec3 v = mix(transformed(lightView.viewFromWorldOpen, r.position),
                  transformed(lightView.viewFromWorldClose, r.position), u);
-    mat3 axes = mat3(lightView.viewFromWorldOpen);
+    mat3 open = mat3(lightView.viewFromWorldOpen);
+    mat3 axes = open + (mat3(lightView.viewFromWorldClose) - open) * u;  // a sun's turn
     vec3 plane = cross(axes * r.edge1, axes * r.edge2);
     MapPoint m;
     m.depth = v.z;

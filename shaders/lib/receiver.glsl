@@ -69,15 +69,22 @@ Receiver receiverOf(MovingTriangle t, uint id, uvec2 pixel, uint stratum) {
     return r;
 }
 
-// From the receiver to the light at its time, not normalised for a spot. Directional: unit length.
+// The way light travels at time u, or a spot's axis, as FrameBlock has them. Of a light that does not turn: the very
+// same numbers at every u.
+vec3 lightDirectionAt(float u) {
+    vec3 change = frame.lightDirectionClose.xyz - frame.lightDirection.xyz, d = frame.lightDirection.xyz + change * u;
+    return frame.lightDirection.w != 0.0 || change == vec3(0.0) ? d : normalize(d);
+}
+
+// From the receiver to the light at its time, not normalised.
 vec3 towardsLight(vec3 position, float u) {
-    return frame.lightDirection.w != 0.0 ? -frame.lightDirection.xyz
+    return frame.lightDirection.w != 0.0 ? -lightDirectionAt(u)
                                          : mix(frame.lightPositionOpen.xyz, frame.lightPositionClose.xyz, u) - position;
 }
 
 // Only receivers that face the light and lie inside its cone are tested for shadow.
 bool facesLight(Receiver r) {
     vec3 l = towardsLight(r.position, r.time);
-    bool inCone = frame.lightDirection.w != 0.0 || dot(-l, frame.lightDirection.xyz) >= frame.lightCone.x * length(l);
+    bool inCone = frame.lightDirection.w != 0.0 || dot(-l, lightDirectionAt(r.time)) >= frame.lightCone.x * length(l);
     return inCone && dot(r.geometricNormal, l) > 0.0;
 }

@@ -71,10 +71,10 @@ vec3 reflected(Surface s, vec3 toLight, vec3 toEye) {
     return (diffuse + fresnel * distribution * smithing) * nl;
 }
 
-vec3 lightArriving(vec3 toLight) {
+vec3 lightArriving(vec3 toLight, float u) {
     if (frame.lightDirection.w != 0.0) return frame.lightIntensity.rgb;
     float squared = dot(toLight, toLight);
-    float cosine = dot(-toLight, frame.lightDirection.xyz) * inversesqrt(squared);
+    float cosine = dot(-toLight, lightDirectionAt(u)) * inversesqrt(squared);
     float cone = clamp((cosine - frame.lightCone.x) * frame.lightCone.z, 0.0, 1.0);
     return frame.lightIntensity.rgb * (cone * cone / squared);
 }
@@ -86,7 +86,7 @@ vec3 shade(Receiver r, uint material, float lit) {
     vec3 toEye = normalize(eye - r.position);
     vec3 ambient = mix(frame.ambientGround.rgb, frame.ambientSky.rgb, 0.5 + 0.5 * s.normal.y);
     vec3 radiance = s.emissive + ambient * mix(s.baseColor, vec3(0.04), 0.2);
-    if (lit > 0.0) radiance += lit * lightArriving(toLight) * reflected(s, normalize(toLight), toEye);
+    if (lit > 0.0) radiance += lit * lightArriving(toLight, r.time) * reflected(s, normalize(toLight), toEye);
     return radiance;
 }
 

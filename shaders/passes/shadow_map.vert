@@ -13,6 +13,9 @@ void main() {
     vec3 v = mix((lightView.viewFromWorldOpen * vec4(positionOpen, 1.0)).xyz,
                  (lightView.viewFromWorldClose * vec4(positionClose, 1.0)).xyz, instant);
 #ifdef LIGHT_ORTHOGRAPHIC
+    // Where a sun turns over a vertex that moves, its path is a parabola, of which the line above knows the ends.
+    mat3 turn = mat3(lightView.viewFromWorldClose) - mat3(lightView.viewFromWorldOpen);
+    v -= instant * (1.0 - instant) * (turn * (positionClose - positionOpen));
     vec3 h = mapFromPlane * vec3(v.xy, 1.0);
     gl_Position = vec4(2.0 * h.xy - h.z, 1.0 - v.z / lightView.farDistance, h.z);
 #else

@@ -43,7 +43,11 @@ struct FrameBlock {
     vec4 lightPositionClose;  // xyz at u = 1
     vec4 cameraPositionOpen;  // xyz: the eye at u = 0
     vec4 cameraPositionClose;
-    vec4 lightDirection;  // xyz: unit, the way light travels (a spot's axis); w: 1 for directional, else 0
+    // The way light travels, or a spot's axis, at u = 0; w: 1 for directional, else 0. A direction is as long as makes
+    // its component along the map's axis 1, and is linear in u; a spot's axis is a unit vector, interpolated and then
+    // normalised.
+    vec4 lightDirection;
+    vec4 lightDirectionClose;  // xyz at u = 1
     vec4 lightIntensity;  // rgb: candela or lux, times exposure
     vec4 lightCone;   // x: cos outer, y: cos inner, z: 1 / (cos inner - cos outer), w: texel width (per distance for a
                       // spot)
@@ -76,7 +80,7 @@ SHARED_END
 
 #ifdef __cplusplus
 namespace timeshade::shared {
-static_assert(sizeof(FrameBlock) == 10 * 16 + 32, "std140 layout changed: fix both readers");
+static_assert(sizeof(FrameBlock) == 11 * 16 + 32, "std140 layout changed: fix both readers");
 static_assert(sizeof(ViewBlock) == 4 * 64 + 16, "std140 layout changed: fix both readers");
 }  // namespace timeshade::shared
 #endif

@@ -47,7 +47,7 @@ glm::dmat3 perspectiveWarp(const FramePlan& plan, const std::vector<glm::dvec3>&
     nearest = std::max(nearest, 1e-3 * farthest);
     const bool directional = plan.lightOpen.kind == LightKind::Directional;
     const glm::dvec3 ray =
-        directional ? -plan.lightOpen.axes[2] : glm::normalize(centre - (plan.lightOpen.position - plan.origin));
+        directional ? -plan.lightAxes[2] : glm::normalize(centre - (plan.lightOpen.position - plan.origin));
     const double sine = glm::length(glm::cross(direction, ray));
     if (sine < 1e-3) return glm::dmat3(1.0);
     // A short step, so that it stays before a spot that looks the camera in the face.

@@ -24,10 +24,19 @@ struct SweptCaster {
     float nearest;             // depth that no point of it is nearer than
     vec2 lowBound, highBound;  // of its projection, in cells
     ivec2 low, high;           // cells [low, high)
+    float slack;               // how far its projection may be from what the edges say, in map widths
 };
 
 #ifdef LIGHT_ORTHOGRAPHIC
 vec3 flattened(vec3 v) { return vec3(v.xy, 1.0); }
+
+// How far a moving vertex is at most from the line between its places in the map at both ends, where a sun turns: its
+// path there is a parabola.
+float bend(vec3 open, vec3 close) {
+    mat3 turn = mat3(lightView.viewFromWorldClose) - mat3(lightView.viewFromWorldOpen);
+    vec2 off = abs((turn * (close - open)).xy);
+    return 0.25 * max(off.x, off.y);
+}
 #else
 vec3 flattened(vec3 v) { return v; }
 #endif
@@ -58,10 +67,16 @@ SweptCaster sweptCasterOf(uint item) {
     c.edge0 = edgeSweep(flattened(a1), flattened(a2), flattened(b1), flattened(b2));
     c.edge1 = edgeSweep(flattened(a2), flattened(a0), flattened(b2), flattened(b0));
     c.edge2 = edgeSweep(flattened(a0), flattened(a1), flattened(b0), flattened(b1));
+    c.slack = MAP_POSITION_SLACK;
+#ifdef LIGHT_ORTHOGRAPHIC
+    if (moves)
+        c.slack += max(bend(world.open0, world.close0),
+                       max(bend(world.open1, world.close1), bend(world.open2, world.close2)));
+#endif
     // Clamped as floats: a bound may be too large for an int.
     vec2 side = vec2(float(gridSide));
-    c.lowBound = clamp((bounds.low - MAP_POSITION_SLACK) * side, vec2(-1.0), side + 1.0);
-    c.highBound = clamp((bounds.high + MAP_POSITION_SLACK) * side, vec2(-1.0), side + 1.0);
+    c.lowBound = clamp((bounds.low - c.slack) * side, vec2(-1.0), side + 1.0);
+    c.highBound = clamp((bounds.high + c.slack) * side, vec2(-1.0), side + 1.0);
     c.low = ivec2(clamp(floor(c.lowBound), vec2(0.0), side));
     c.high = ivec2(clamp(floor(c.highBound) + 1.0, vec2(0.0), side));
     return c;
@@ -70,7 +85,7 @@ SweptCaster sweptCasterOf(uint item) {
 void addToCell(SweptCaster c, ivec2 cell) {
     float width = 1.0 / float(gridSide);
     vec2 centre = (vec2(cell) + 0.5) * width;
-    if (missesSquare(c.edge0, c.edge1, c.edge2, centre, 0.5 * width + MAP_POSITION_SLACK)) return;
+    if (missesSquare(c.edge0, c.edge1, c.edge2, centre, 0.5 * width + c.slack)) return;
     uint slot = listSlot(c.list + uint(cell.y) * gridSide + uint(cell.x));
 #ifdef FILL
     uint place = candidatePlace(slot);
