@@ -82,12 +82,7 @@ void @CLASS@::visitSettings(SettingsVisitor& visitor) {
 }
 
 SamplingTraits @CLASS@::samplingTraits() const {
-    SamplingTraits traits;
-    traits.times = SamplingTraits::Times::OneInstant;
-    traits.instants = 1;
-    traits.texelCentres = true;
-    traits.biasTexels = static_cast<double>(bias_);
-    return traits;
+    return {.times = SamplingTraits::Times::OneInstant, .texelCentres = true, .biasTexels = static_cast<double>(bias_)};
 }
 
 std::vector<PassDecision> @CLASS@::passes(const FramePlan& plan) const {

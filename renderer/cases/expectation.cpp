@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "core/check.h"
@@ -13,91 +14,66 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
+using Times = SamplingTraits::Times;
 
 constexpr double nearestCaster = 1e-7;  // of the way to the light: less than any receiver's clearance
 
-struct Corners {
-    dvec3 open[3], close[3];
-};
-
-/// The case's scene in double precision, relative to the plan's origin.
+/// The case's scene as its light's map sees it.
 class World {
   public:
-    World(const ClosedFormCase& c, int samplesPerPixel, int mapSize) : mapSize_(mapSize) {
-        FramePlanner planner(*c.scene);
-        plan_ = planner.plan(c.request(samplesPerPixel, mapSize, 1));
-        const MeshTopology& topology = *plan_.mesh->topology;
-        for (const glm::u32vec3& t : topology.triangles) {
-            Corners corners;
-            for (int i = 0; i < 3; ++i) {
-                corners.open[i] = plan_.mesh->positionsOpen[t[i]] - plan_.origin;
-                corners.close[i] = plan_.mesh->positionsClose[t[i]] - plan_.origin;
-            }
-            triangles_.push_back(corners);
+    World(const ClosedFormCase& c, int strata, int mapSize)
+        : case_(c), plan_(FramePlanner(*c.scene).plan(c.request(strata, mapSize, 1))) {
+        for (const glm::u32vec3& t : plan_.mesh->topology->triangles) {
+            TriangleInMap& triangle = triangles_.emplace_back();
+            for (int i = 0; i < 3; ++i)
+                triangle.corners[i] = pathOf(plan_.mesh->positionsOpen[t[i]], plan_.mesh->positionsClose[t[i]]);
         }
     }
 
     std::size_t triangles() const { return triangles_.size(); }
-    dvec3 origin() const { return plan_.origin; }
-    dvec3 light(double u) const { return glm::mix(plan_.light.open.eye, plan_.light.close.eye, u); }
-
-    /// Map coordinates in [0, 1]^2 and the depth along the light's axis.
-    dvec3 project(const dvec3& point, double u) const {
-        const ViewEnd& end = plan_.light.open;  // the axes are constant
-        const dvec3 axis = glm::normalize(glm::cross(end.up, end.right));
-        const dvec3 v = point - light(u);
-        const double z = glm::dot(v, axis);
-        const dvec3 w = v / z - end.corner;
-        return {glm::dot(w, end.right) / glm::dot(end.right, end.right), glm::dot(w, end.up) / glm::dot(end.up, end.up),
-                z};
-    }
-    /// The ray from the light through a point of the map; its depth along the axis is 1.
-    dvec3 ray(const dvec2& map) const {
-        return plan_.light.open.corner + plan_.light.open.right * map.x + plan_.light.open.up * map.y;
-    }
-    double texelWidth(double depth) const { return glm::length(plan_.light.open.right) / mapSize_ * depth; }
-    double nearDistance() const { return static_cast<double>(plan_.light.block.nearDistance); }
-    dvec2 centreOfTexel(const dvec3& p) const {
-        return (glm::floor(dvec2(p) * double(mapSize_)) + 0.5) / double(mapSize_);
-    }
-    double texel() const { return 1.0 / mapSize_; }
-
-    /// The s at which from + s * direction intersects a triangle at time u, if it does.
-    std::optional<double> meeting(std::size_t triangle, double u, const dvec3& from, const dvec3& direction) const {
-        const Corners& t = triangles_[triangle];
-        dvec3 v[3];
-        for (int i = 0; i < 3; ++i) v[i] = glm::mix(t.open[i], t.close[i], u) - from;
-        const double e0 = glm::dot(direction, glm::cross(v[1], v[2])), e1 = glm::dot(direction, glm::cross(v[2], v[0])),
-                     e2 = glm::dot(direction, glm::cross(v[0], v[1])), sum = e0 + e1 + e2;
-        if (!((e0 >= 0 && e1 >= 0 && e2 >= 0) || (e0 <= 0 && e1 <= 0 && e2 <= 0)) || sum == 0.0) return std::nullopt;
-        return glm::dot(v[0], glm::cross(v[1], v[2])) / sum;
-    }
-
-    /// The s at which from + s * direction intersects the plane of a triangle at time u.
-    double planeDistance(std::size_t triangle, double u, const dvec3& from, const dvec3& direction) const {
-        const Corners& t = triangles_[triangle];
-        const dvec3 v0 = glm::mix(t.open[0], t.close[0], u), v1 = glm::mix(t.open[1], t.close[1], u),
-                    v2 = glm::mix(t.open[2], t.close[2], u);
-        const dvec3 normal = glm::cross(v1 - v0, v2 - v0);
-        return glm::dot(v0 - from, normal) / glm::dot(direction, normal);
+    /// place: in [-1/2, 1/2]^2 over the visible part of the receiver.
+    ReceiverInMap receiver(const dvec2& place) const {
+        const dvec3 offset(place.x * case_.patchWidth, place.y * case_.patchHeight, 0.0);
+        const PathInMap path = pathOf(case_.receiverOpen + offset, case_.receiverClose + offset);
+        const bool inFirst = hitOf(triangles_[case_.firstReceiver], dvec2(path.open) / path.open.z, 0.0).inside;
+        const int mapSize = plan_.request.mapSize;
+        return {triangles_,
+                case_.firstReceiver + (inFirst ? 0u : 1u),
+                path,
+                mapSize,
+                plan_.request.samplesPerPixel,
+                static_cast<double>(plan_.light.block.nearDistance),
+                glm::length(plan_.light.open.right) / mapSize};
     }
 
   private:
-    int mapSize_;
+    PathInMap pathOf(const dvec3& open, const dvec3& close) const {
+        return {inMap(open, plan_.light.open.eye), inMap(close, plan_.light.close.eye)};
+    }
+    dvec3 inMap(const dvec3& point, const dvec3& light) const {
+        const ViewEnd& end = plan_.light.open;  // the axes are constant
+        const dvec3 v = point - plan_.origin - light;
+        const double distance = glm::dot(v, glm::normalize(glm::cross(end.up, end.right)));
+        const dvec3 w = v - distance * end.corner;
+        return {glm::dot(w, end.right) / glm::dot(end.right, end.right), glm::dot(w, end.up) / glm::dot(end.up, end.up),
+                distance};
+    }
+
+    const ClosedFormCase& case_;
     FramePlan plan_;
-    std::vector<Corners> triangles_;
+    std::vector<TriangleInMap> triangles_;
 };
 
 /// Integrates numerically over positions on the receiver, times of the receiver and times of the casters.
 class Model {
   public:
-    Model(const ClosedFormCase& c, const SamplingTraits& traits, int strata, int mapSize)
-        : case_(c), traits_(traits), strata_(strata), world_(c, strata, mapSize), biasTexels_(traits.biasTexels) {
+    Model(const ClosedFormCase& c, const TechniqueStatement& stated, int strata, int mapSize)
+        : case_(c), stated_(stated), traits_(stated.traits), strata_(strata), world_(c, strata, mapSize) {
         // Fewer steps for scenes of many triangles, to bound the run time.
         const bool crowd = world_.triangles() > 100;
         places_ = crowd ? 4 : 6;
         steps_ = crowd ? 12 : 48;
-        if (traits.times == SamplingTraits::Times::RandomInStratum) steps_ = crowd ? 6 : 16;
+        if (traits_.times == Times::RandomInStratum) steps_ = crowd ? 6 : 16;
     }
 
     Expectation result() {
@@ -112,7 +88,7 @@ class Model {
         double ambiguous = 0.0;
         for (int i = 0; i < places_; ++i)
             for (int j = 0; j < places_; ++j)
-                addPlace({(i + 0.5) / places_ - 0.5, (j + 0.5) / places_ - 0.5}, e, ambiguous);
+                addPlace(world_.receiver({(i + 0.5) / places_ - 0.5, (j + 0.5) / places_ - 0.5}), e, ambiguous);
         const double count = double(places_) * places_;
         for (std::size_t k = 0; k < e.litOfStratum.size(); ++k) {
             e.litShare += e.litOfStratum[k] / (count * stepsSeen_);
@@ -129,131 +105,110 @@ class Model {
     double timeOf(int step) const { return (step + 0.5) / stepsInAll(); }
     bool isSeen(int step) const { return timeOf(step) >= case_.seenFrom && timeOf(step) <= case_.seenTo; }
     std::size_t stratumOf(int step) const { return static_cast<std::size_t>(timeOf(step) * strata_); }
-    int stepsInAll() const {
-        return traits_.times == SamplingTraits::Times::EvenInstants ? traits_.instants : strata_ * steps_;
-    }
+    /// Where a frame is drawn at several instants, they are the times of its samples.
+    int stepsInAll() const { return stated_.renders > 1 ? stated_.renders : strata_ * steps_; }
 
     /// The share of the receiver whose texel may differ from that of the position that represents it.
-    double borderShare() const {
-        return traits_.times == SamplingTraits::Times::OneInstant && case_.patchHeight > 0.1 ? 0.5 / places_ : 0.02;
-    }
+    double borderShare() const { return stated_.isOfOneInstant() && case_.patchHeight > 0.1 ? 0.5 / places_ : 0.02; }
 
-    dvec3 receiver(const dvec2& place, double u) const {
-        const dvec3 centre = glm::mix(case_.receiverOpen, case_.receiverClose, u) - world_.origin();
-        return centre + dvec3(place.x * case_.patchWidth, place.y * case_.patchHeight, 0.0);
-    }
-
-    void addPlace(const dvec2& place, Expectation& e, double& ambiguous) {
-        if (traits_.firstAndLast) findRanges(place);
-        const int steps = stepsInAll();
-        for (int k = 0; k < steps; ++k) {
-            if (!isSeen(k)) continue;
+    void addPlace(const ReceiverInMap& receiver, Expectation& e, double& ambiguous) {
+        std::vector<double> lit;
+        bool instants = true;
+        for (int k = 0; k < stepsInAll(); ++k) {
             const double u = timeOf(k);
-            e.litOfStratum[stratumOf(k)] += litAt(place, u);
-            if (traits_.texelCentres && !case_.fleeting) ambiguous += isAmbiguous(place, u) ? 1.0 / stepsSeen_ : 0.0;
+            const std::optional<double> own = stated_.prediction->lit(receiver, u);
+            lit.push_back(litAt(receiver, u));
+            instants = instants && !own;
+            if (isSeen(k) && traits_.texelCentres && !case_.fleeting)
+                ambiguous += isAmbiguous(receiver, u) ? 1.0 / stepsSeen_ : 0.0;
+        }
+        
+        for (int k = 0; k < stepsInAll(); ++k)
+            if (isSeen(k)) e.litOfStratum[stratumOf(k)] += lit[static_cast<std::size_t>(k)];
+    }
+
+    void averageOverFootprint(std::vector<double>& lit) const {
+        if (stated_.footprint.time == Footprint::Time::Instant) return;
+        const std::size_t parts = stated_.footprint.time == Footprint::Time::Stratum ? std::size_t(strata_) : 1;
+        for (std::size_t part = 0; part < parts; ++part) {
+            const auto begin = lit.begin() + std::ptrdiff_t(lit.size() * part / parts),
+                       end = lit.begin() + std::ptrdiff_t(lit.size() * (part + 1) / parts);
+            std::fill(begin, end, std::accumulate(begin, end, 0.0) / double(end - begin));
         }
     }
 
-    double litAt(const dvec2& place, double u) const {
-        using Times = SamplingTraits::Times;
-        if (traits_.times == Times::OneInstant) return isLit(place, 0.5, 0.5) ? 1.0 : 0.0;
-        if (traits_.times != Times::RandomInStratum) return isLit(place, u, u) ? 1.0 : 0.0;
+    /// For a receiver seen at the instant u.
+    double litAt(const ReceiverInMap& receiver, double u) const {
+        if (traits_.times != Times::RandomInStratum) return litWith(receiver, instantOf(u), instantOf(u));
         const double stratum = std::floor(u * strata_);
-        int lit = 0;
-        for (int k = 0; k < steps_; ++k) lit += isLit(place, u, (stratum + (k + 0.5) / steps_) / strata_) ? 1 : 0;
-        return double(lit) / steps_;
+        double lit = 0.0;
+        for (int k = 0; k < steps_; ++k) lit += litWith(receiver, u, (stratum + (k + 0.5) / steps_) / strata_);
+        return lit / steps_;
     }
+
+    double instantOf(double u) const { return stated_.isOfOneInstant() ? 0.5 : u; }
 
     /// Visibility of the receiver at time u from casters at time v.
-    bool isLit(const dvec2& place, double u, double v) const {
-        const dvec3 point = receiver(place, u);
-        if (!traits_.texelCentres) return isFree(point, v);
-        const dvec3 p = world_.project(point, u);
-        return isFreeInMap(world_.centreOfTexel(p), p.z, u, v);
-    }
-
-    bool isFree(const dvec3& point, double v) const {
-        const dvec3 towards = world_.light(v) - point;
-        for (std::size_t t = 0; t < world_.triangles(); ++t) {
-            const std::optional<double> s = world_.meeting(t, v, point, towards);
-            if (s && *s > nearestCaster && *s < 1.0) return false;
-        }
-        return true;
-    }
-
-    bool isFreeInMap(const dvec2& map, double depth, double u, double v) const {
-        // Equal depths cast no shadow; the relative slack absorbs rounding.
-        const double limit = depth - biasTexels_ * world_.texelWidth(depth) - 1e-9 * depth;
-        const dvec3 from = world_.light(v), ray = world_.ray(map);
-        for (std::size_t t = 0; t < world_.triangles(); ++t) {
-            std::optional<double> distance = world_.meeting(t, v, from, ray);
-            if (distance && traits_.movesDepth) distance = world_.planeDistance(t, u, world_.light(u), ray);
-            if (traits_.firstAndLast) distance = rangeDistance(t, u);
-            if (distance && *distance > world_.nearDistance() && *distance < limit) return false;
-        }
-        return true;
-    }
-
-    /// The first and last time at which each triangle covers the texel of a static receiver, and its depths then.
-    void findRanges(const dvec2& place) {
-        ranges_.assign(world_.triangles(), {});
-        const int steps = 4 * strata_ * steps_;
-        for (int k = 0; k < steps; ++k) {
-            const double u = (k + 0.5) / steps;
-            const dvec2 map = world_.centreOfTexel(world_.project(receiver(place, u), u));
-            for (std::size_t t = 0; t < world_.triangles(); ++t) {
-                const auto distance = world_.meeting(t, u, world_.light(u), world_.ray(map));
-                if (!distance) continue;
-                Range& range = ranges_[t];
-                if (range.first > range.last) {
-                    range.first = u;
-                    range.firstDistance = *distance;
-                }
-                range.last = u;
-                range.lastDistance = *distance;
+    double litWith(const ReceiverInMap& receiver, double u, double v) const {
+        const dvec3 p = receiver.path.at(u);
+        const dvec2 position = dvec2(p) / p.z;
+        const Prediction& prediction = *stated_.prediction;
+        if (!traits_.texelCentres) return isFree(prediction, receiver, {position, p.z, u, v}) ? 1.0 : 0.0;
+        const int reach = static_cast<int>(stated_.footprint.filterTexels / 2.0);  // a filter of tests, as wide
+        int lit = 0;
+        for (int i = -reach; i <= reach; ++i)
+            for (int j = -reach; j <= reach; ++j) {
+                const dvec2 texel = receiver.texelCentre(position) + dvec2(i, j) / double(receiver.mapSize);
+                lit += isFree(prediction, receiver, {texel, p.z, u, v}) ? 1 : 0;
             }
+        return lit / ((2.0 * reach + 1.0) * (2.0 * reach + 1.0));
+    }
+
+    /// A test of a receiver's depth at a map position, as seen at time u, with casters at time v.
+    struct Test {
+        dvec2 position;
+        double depth, u, v;
+    };
+
+    bool isFree(const Prediction& prediction, const ReceiverInMap& receiver, const Test& test) const {
+        // In a map, equal depths cast no shadow; the relative slack absorbs rounding.
+        const double bias = traits_.texelCentres ? traits_.biasTexels * receiver.texelAngle + 1e-9 : nearestCaster,
+                     nearest = traits_.texelCentres ? receiver.nearDistance : 0.0;
+        for (std::size_t caster = 0; caster < receiver.triangles.size(); ++caster) {
+            const auto distance = prediction.casterDistance(receiver, caster, test.position, test.u, test.v);
+            if (distance && *distance > nearest && *distance < test.depth * (1.0 - bias)) return false;
         }
+        return true;
     }
 
-    std::optional<double> rangeDistance(std::size_t t, double u) const {
-        const Range& range = ranges_[t];
-        if (!(range.first <= u && u <= range.last)) return std::nullopt;
-        const double length = range.last - range.first;
-        return glm::mix(range.firstDistance, range.lastDistance, length > 0.0 ? (u - range.first) / length : 0.0);
-    }
-
-    /// Whether visibility at u changes if the texel is shifted by up to half its width.
-    bool isAmbiguous(const dvec2& place, double u) const {
-        const double at = traits_.times == SamplingTraits::Times::OneInstant ? 0.5 : u;
-        const dvec3 p = world_.project(receiver(place, at), at);
+    /// Whether visibility at u changes if the texel is shifted by up to half its width, whatever else a technique does.
+    bool isAmbiguous(const ReceiverInMap& receiver, double u) const {
+        const double at = instantOf(u);
+        const dvec3 p = receiver.path.at(at);
         int lit = 0, tested = 0;
         for (int i = -1; i <= 1; ++i)
-            for (int j = -1; j <= 1; ++j, ++tested)
-                lit += isFreeInMap(dvec2(p) + dvec2(i, j) * (0.5 * world_.texel()), p.z, at, at) ? 1 : 0;
+            for (int j = -1; j <= 1; ++j, ++tested) {
+                const dvec2 shifted = dvec2(p) / p.z + dvec2(i, j) * (0.5 / receiver.mapSize);
+                lit += isFree(Prediction(), receiver, {shifted, p.z, at, at}) ? 1 : 0;
+            }
         return lit != 0 && lit != tested;
     }
 
-    struct Range {
-        double first = 1.0, last = 0.0;
-        double firstDistance = 0.0, lastDistance = 0.0;
-    };
-
     const ClosedFormCase& case_;
+    const TechniqueStatement& stated_;
     const SamplingTraits& traits_;
     int strata_;
     World world_;
-    double biasTexels_;
     int places_ = 0, steps_ = 0;
     int stepsSeen_ = 0;
     std::vector<int> seenOfStratum_;
-    std::vector<Range> ranges_;
 };
 
 }  // namespace
 
-Expectation expectationOf(const ClosedFormCase& c, const SamplingTraits& traits, int samplesPerPixel, int mapSize) {
+Expectation expectationOf(const ClosedFormCase& c, const TechniqueStatement& stated, int samplesPerPixel, int mapSize) {
     CHECK(c.kind == ClosedFormCase::Kind::Picture);
-    return Model(c, traits, samplesPerPixel, mapSize).result();
+    return Model(c, stated, samplesPerPixel, mapSize).result();
 }
 
 double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits, int mapSize) {

@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "cases/closed_form_cases.h"
-#include "technique/sampling_traits.h"
+#include "technique/prediction.h"
 
 namespace timeshade {
 
-/// The mean visibility that a technique with the given traits computes, predicted from the traits in double precision.
+/// The mean visibility that a technique computes, predicted in double precision from what it states about itself.
 struct Expectation {
     double litShare = 0.0;
     std::vector<double> litOfStratum;  ///< the same, per stratum of the shutter
@@ -18,7 +18,7 @@ struct Expectation {
 };
 
 /// `c` must be of kind Picture.
-Expectation expectationOf(const ClosedFormCase& c, const SamplingTraits& traits, int samplesPerPixel, int mapSize);
+Expectation expectationOf(const ClosedFormCase& c, const TechniqueStatement& stated, int samplesPerPixel, int mapSize);
 
 /// The number of independent samples of visibility in one stratum of one picture: texels of the map that the picture's
 /// column covers or, for techniques without texels, camera samples.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -109,8 +108,7 @@ class FrameRenderer {
     View view_ = View::Final;
     std::optional<TechniqueView> techniqueView_;
     int renders_ = 0, done_ = 0;
-    std::uint64_t epoch_ = 0;                           ///< how often everything was invalidated
-    std::map<const Technique*, std::uint64_t> epochs_;  ///< in which each technique drew last
+    std::uint64_t invalidatedAt_ = 0;  ///< how much had been invalidated, by any renderer, after this one's last time
     bool checked_ = false;
 };
 

@@ -12,15 +12,19 @@ namespace {
 
 using Times = SamplingTraits::Times;
 
-/// It draws no random number: its lit values are the same whatever the seed.
-bool isDeterministic(const SamplingTraits& traits) {
-    return traits.times == Times::OneInstant || traits.times == Times::EvenInstants;
+/// Its lit values are the same whatever the seed.
+bool isDeterministic(const ClosedFormCase& c, const TechniqueStatement& stated) {
+    if (stated.traits.times == Times::RandomInStratum) return false;
+    if (stated.traits.times == Times::OneInstant || stated.renders > 1) return true;
+    // A mean over a stratum is the same for each of its samples, but how many of those see the receiver may vary.
+    return stated.footprint.time == Footprint::Time::Shutter ||
+           (stated.footprint.time == Footprint::Time::Stratum && c.seenTo - c.seenFrom == 1.0);
 }
 
 /// Four standard errors of the mean of independent lit values, one from each stratum at a time.
-double samplingTolerance(const ClosedFormCase& c, const SamplingTraits& traits, const Expectation& e,
+double samplingTolerance(const ClosedFormCase& c, const TechniqueStatement& stated, const Expectation& e,
                          double valuesPerStratum) {
-    if (isDeterministic(traits)) return 0.0;
+    if (isDeterministic(c, stated)) return 0.0;
     double variance = 0.0;
     for (const double lit : e.litOfStratum) variance += lit * (1.0 - lit);
     const auto strata = static_cast<double>(e.litOfStratum.size());
@@ -30,8 +34,8 @@ double samplingTolerance(const ClosedFormCase& c, const SamplingTraits& traits, 
     return 4.0 * std::sqrt(variance / (strata * strata * valuesPerStratum));
 }
 
-int picturesFor(const SamplingTraits& traits, double valuesPerPicture) {
-    if (isDeterministic(traits)) return 1;
+int picturesFor(const ClosedFormCase& c, const TechniqueStatement& stated, double valuesPerPicture) {
+    if (isDeterministic(c, stated)) return 1;
     return std::clamp(static_cast<int>(std::ceil(100.0 / valuesPerPicture)), 1, 64);
 }
 
@@ -88,14 +92,13 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
         result.reason = *why;
         return result;
     }
-    const SamplingTraits traits = technique.samplingTraits();
-    if (traits.mapFollowsCamera && c.fleeting) {
-        result.reason =
-            "what a map fitted to the picture catches of a caster finer than the light's own texels is not predicted";
+    const TechniqueStatement stated = statementOf(technique);
+    if (const auto why = stated.prediction->fineCastersUnpredicted(); why && c.fleeting) {
+        result.reason = *why;
         return result;
     }
-    const double perStratum = independentAnswers(c, traits, sampleCount.mapSize);
-    const int pictures = picturesFor(traits, perStratum);
+    const double perStratum = independentAnswers(c, stated.traits, sampleCount.mapSize);
+    const int pictures = picturesFor(c, stated, perStratum);
     try {
         result.value = measureLitShare(renderer, technique, c, sampleCount, pictures);
     } catch (const LimitError& error) {
@@ -103,13 +106,14 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
         return result;
     }
 
-    const Expectation e = expectationOf(c, traits, sampleCount.samplesPerPixel, sampleCount.mapSize);
-    const double noise = samplingTolerance(c, traits, e, perStratum * pictures);
+    const Expectation e = expectationOf(c, stated, sampleCount.samplesPerPixel, sampleCount.mapSize);
+    const double noise = samplingTolerance(c, stated, e, perStratum * pictures);
     // Positions that are rounded once, and the patch's own width: its sides are reached by the shadow's ends a little
     // apart.
-    double own = traits.statedError + 1e-4 + 0.05 * c.ends * c.patchWidth * (c.fleeting ? 0.0 : 1.0);
-    if (traits.times == Times::EvenInstants) own += 0.5 * std::min(c.ends, 4) / traits.instants;
-    result.tolerance = noise + own + (traits.times == Times::OneInstant ? 0.0 : e.resolution);
+    double own = stated.traits.statedError + 1e-4 + 0.05 * c.ends * c.patchWidth * (c.fleeting ? 0.0 : 1.0);
+    // Half of the time between two renders, for each end.
+    if (stated.renders > 1) own += 0.5 * std::min(c.ends, 4) / stated.renders;
+    result.tolerance = noise + own + (stated.isOfOneInstant() ? 0.0 : e.resolution);
     result.predicted = e.litShare;
     result.predictedTolerance = noise + e.integration + own;
     if (std::abs(result.error()) <= result.tolerance)

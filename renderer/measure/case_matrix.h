@@ -25,7 +25,7 @@ struct CaseResult {
     double exact = 0.0;
     double value = 0.0;      ///< mean lit of the samples that see the receiver
     double tolerance = 0.0;  ///< about exact
-    double predicted = 0.0;  ///< what follows from the technique's traits
+    double predicted = 0.0;  ///< what follows from the technique's statement
     double predictedTolerance = 0.0;
     Verdict verdict = Verdict::NotTaken;
     std::string reason;  ///< why it is not taken, in words

@@ -22,8 +22,10 @@ struct Footprint {
     /// approximation of the technique's own (percentage-closer filtering, a variance test): not truth. 0: none.
     double filterTexels = 0.0;
 
+    /// The truth is then a single test, 0 or 1: a blur is no part of the truth.
+    bool isInstantAtPoint() const { return time == Time::Instant && space == Space::Point; }
     /// Each value is then 0 or 1, and can be right or wrong.
-    bool isBinary() const { return time == Time::Instant && space == Space::Point && filterTexels == 0.0; }
+    bool isBinary() const { return isInstantAtPoint() && filterTexels == 0.0; }
 };
 
 }  // namespace timeshade

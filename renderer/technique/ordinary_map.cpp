@@ -21,13 +21,8 @@ Footprint OrdinaryMap::footprint() const {
     return footprint;
 }
 
-SamplingTraits OrdinaryMap::samplingTraits(SamplingTraits::Times times, int instants) const {
-    SamplingTraits traits;
-    traits.times = times;
-    traits.instants = instants;
-    traits.texelCentres = true;
-    traits.biasTexels = static_cast<double>(bias_);
-    return traits;
+SamplingTraits OrdinaryMap::samplingTraits() const {
+    return {.times = SamplingTraits::Times::OneInstant, .texelCentres = true, .biasTexels = static_cast<double>(bias_)};
 }
 
 float OrdinaryMap::instantOf(const FramePlan& plan) {

@@ -11,8 +11,7 @@ class OrdinaryMap {
     void visitSettings(SettingsVisitor& visitor);
     /// An instant at a point, filtered where PCF is on.
     Footprint footprint() const;
-    /// Those of one map looked at in the given way.
-    SamplingTraits samplingTraits(SamplingTraits::Times times, int instants) const;
+    SamplingTraits samplingTraits() const;
     /// The centre of the plan's shutter (or its one sample time), where the map is drawn.
     static float instantOf(const FramePlan& plan);
     void build(const TechniqueFrame& frame) { map_ = &frame.maps.atInstant(instantOf(frame.plan)); }

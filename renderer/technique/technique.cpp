@@ -14,4 +14,8 @@ void Technique::drawView(const TechniqueFrame&, const std::string& name, const g
     throw Error(fmt::format("technique {} has no view '{}'", description().name, name));
 }
 
+TechniqueStatement statementOf(const Technique& technique) {
+    return {technique.footprint(), technique.samplingTraits(), technique.renders(), technique.prediction()};
+}
+
 }  // namespace timeshade

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +9,7 @@
 #include "core/setting.h"
 #include "technique/footprint.h"
 #include "technique/lookup_program.h"
+#include "technique/prediction.h"
 #include "technique/sampling_traits.h"
 #include "technique/technique_description.h"
 #include "technique/technique_frame.h"
@@ -33,6 +36,9 @@ class Technique : public HasSettings {
     virtual Footprint footprint() const { return {}; }
     /// Where and when it looks for casters, with its settings as they are: what the named cases hold it to.
     virtual SamplingTraits samplingTraits() const { return {}; }
+    /// What it does to casters beyond that, with its settings as they are. Never null; refers to nothing of the
+    /// technique.
+    virtual std::shared_ptr<const Prediction> prediction() const { return std::make_shared<Prediction>(); }
     /// The passes that this technique adds to the plan's, each with its reason.
     virtual std::vector<PassDecision> passes(const FramePlan& plan) const = 0;
     /// How many times the whole frame is drawn, each time with all samples at one instant, and averaged. 1: drawn
@@ -69,6 +75,13 @@ class Technique : public HasSettings {
     virtual std::vector<const gl::Texture*> textures() const { return {}; }
     /// GPU memory held by the technique itself, in bytes: without the frame's maps and caches.
     virtual std::size_t bytes() const = 0;
+
+  private:
+    friend class FrameRenderer;
+    std::uint64_t drawnAt_ = 0;  ///< the frame's: how much had been invalidated when this drew last; 0 before
 };
+
+/// What it states about itself, with its settings as they are.
+TechniqueStatement statementOf(const Technique& technique);
 
 }  // namespace timeshade

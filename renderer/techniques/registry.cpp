@@ -22,6 +22,15 @@ const std::vector<TechniqueEntry>& registry() {
     return entries;
 }
 
+const TechniqueEntry& entryNamed(const std::string& name) {
+    std::string known;
+    for (const TechniqueEntry& entry : registry()) {
+        if (entry.describe().name == name) return entry;
+        known += (known.empty() ? "" : ", ") + entry.describe().name;
+    }
+    throw UsageError(fmt::format("technique '{}': no such technique; expected one of {}", name, known));
+}
+
 }  // namespace
 
 const std::vector<TechniqueDescription>& techniqueDescriptions() {
@@ -33,13 +42,10 @@ const std::vector<TechniqueDescription>& techniqueDescriptions() {
     return descriptions;
 }
 
+const TechniqueDescription& techniqueDescription(const std::string& name) { return entryNamed(name).describe(); }
+
 std::unique_ptr<Technique> makeTechnique(const std::string& name, gl::ProgramCache& programs) {
-    std::string known;
-    for (const TechniqueEntry& entry : registry()) {
-        if (entry.describe().name == name) return entry.make(programs);
-        known += (known.empty() ? "" : ", ") + entry.describe().name;
-    }
-    throw UsageError(fmt::format("technique '{}': no such technique; expected one of {}", name, known));
+    return entryNamed(name).make(programs);
 }
 
 }  // namespace timeshade

@@ -94,6 +94,24 @@ TEST(FrameClock, TimesAgainWhatWasCompiledInATimedFrame) {
     EXPECT_EQ(renderer.programs().compiled(), after);
 }
 
+/// As a sweep would go through them, round after round.
+TEST(FrameClock, ProgramsOfAllTechniquesInAllScenesAreCompiledOnce) {
+    FrameRenderer renderer;
+    const auto drawAll = [&] {
+        for (const BuiltInScene& builtIn : builtInScenes()) {
+            const std::unique_ptr<Scene> scene =
+                openScene(builtIn.name, "", {{"cubes.count", "50"}, {"frusta.rows", "4"}});
+            FramePlanner planner(*scene);
+            FrameClock clock(renderer, planner, View::Final);
+            for (const std::string& name : names())
+                clock.warmUp(*makeTechnique(name, renderer.programs()), smallRequest());
+        }
+        return renderer.programs().compiled();
+    };
+    const std::uint64_t once = drawAll();
+    EXPECT_EQ(drawAll(), once) << "some were dropped in between";
+}
+
 /// Caches are full in the last of several frames of a sequence, and hold nothing once they have been emptied.
 TEST(FrameClock, CachesThatAreEmptiedHoldNothing) {
     const std::unique_ptr<Scene> scene = openScene("chess", "");

@@ -17,9 +17,7 @@ class AccumulationShadow final : public Technique {
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
     Footprint footprint() const override { return map_.footprint(); }
-    SamplingTraits samplingTraits() const override {
-        return map_.samplingTraits(SamplingTraits::Times::EvenInstants, renders_);
-    }
+    SamplingTraits samplingTraits() const override { return map_.samplingTraits(); }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     int renders() const override { return renders_; }
     void build(const TechniqueFrame& frame) override { map_.build(frame); }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "technique/technique_entry.h"
+#include "techniques/history/fitted_map_prediction.h"
 #include "techniques/history/map_raster.h"
 
 namespace timeshade {
@@ -118,14 +119,15 @@ Footprint HistoryShadow::footprint() const {
 }
 
 SamplingTraits HistoryShadow::samplingTraits() const {
-    SamplingTraits traits;
-    traits.times = SamplingTraits::Times::OneInstant;
-    traits.instants = 1;
-    traits.texelCentres = true;
-    traits.mapFollowsCamera = fit_ != 0;
-    traits.extendsToReceiver = triesTriangles();
-    traits.biasTexels = static_cast<double>(bias_);
-    return traits;
+    // Which triangles a texel has seen depends on how a surface is cut.
+    return {.times = SamplingTraits::Times::OneInstant,
+            .texelCentres = true,
+            .biasTexels = static_cast<double>(bias_),
+            .triangulationError = triesTriangles() ? 0.005 : 0.0};
+}
+
+std::shared_ptr<const Prediction> HistoryShadow::prediction() const {
+    return fit_ != 0 ? std::make_shared<FittedMapPrediction>() : Technique::prediction();
 }
 
 std::vector<PassDecision> HistoryShadow::passes(const FramePlan& plan) const {

@@ -52,6 +52,7 @@ class HistoryShadow final : public Technique {
     /// Of a frame without a past: an ordinary map at the centre of the shutter.
     Footprint footprint() const override;
     SamplingTraits samplingTraits() const override;
+    std::shared_ptr<const Prediction> prediction() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     int warmUpFrames() const override { return warmUp_; }
     int heldFrames() const override { return hold_; }

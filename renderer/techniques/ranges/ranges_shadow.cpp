@@ -8,6 +8,7 @@
 #include "techniques/ranges/bindings.shared.h"
 #include "techniques/ranges/contiguous_ranges.h"
 #include "techniques/ranges/linked_ranges.h"
+#include "techniques/ranges/published_ranges_prediction.h"
 
 namespace timeshade {
 
@@ -43,11 +44,15 @@ void RangesShadow::visitSettings(SettingsVisitor& visitor) {
 }
 
 SamplingTraits RangesShadow::samplingTraits() const {
-    SamplingTraits traits;
-    traits.texelCentres = true;
-    traits.extendsToReceiver = !asPublished_;
-    traits.biasTexels = static_cast<double>(bias_);
-    return traits;
+    // Each side is extended across the texel on its own: another cut of a surface has other sides. A few per mille are
+    // seen to change.
+    return {.texelCentres = true,
+            .biasTexels = static_cast<double>(bias_),
+            .triangulationError = asPublished_ ? 0.0 : 0.005};
+}
+
+std::shared_ptr<const Prediction> RangesShadow::prediction() const {
+    return asPublished_ ? std::make_shared<PublishedRangesPrediction>() : Technique::prediction();
 }
 
 std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {

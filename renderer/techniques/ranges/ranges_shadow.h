@@ -28,6 +28,7 @@ class RangesShadow final : public Technique {
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
     SamplingTraits samplingTraits() const override;
+    std::shared_ptr<const Prediction> prediction() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;

@@ -14,7 +14,7 @@ class StaticShadow final : public Technique {
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override { map_.visitSettings(visitor); }
     Footprint footprint() const override { return map_.footprint(); }
-    SamplingTraits samplingTraits() const override { return map_.samplingTraits(SamplingTraits::Times::OneInstant, 1); }
+    SamplingTraits samplingTraits() const override { return map_.samplingTraits(); }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override { map_.build(frame); }
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override {

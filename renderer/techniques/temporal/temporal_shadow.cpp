@@ -9,6 +9,7 @@
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/exact_tuples.h"
 #include "techniques/temporal/published_tuples.h"
+#include "techniques/temporal/published_tuples_prediction.h"
 
 namespace timeshade {
 
@@ -49,11 +50,11 @@ void TemporalShadow::visitSettings(SettingsVisitor& visitor) {
 }
 
 SamplingTraits TemporalShadow::samplingTraits() const {
-    SamplingTraits traits;
-    traits.texelCentres = true;
-    traits.firstAndLast = asPublished_;
-    traits.biasTexels = static_cast<double>(bias_);
-    return traits;
+    return {.texelCentres = true, .biasTexels = static_cast<double>(bias_)};
+}
+
+std::shared_ptr<const Prediction> TemporalShadow::prediction() const {
+    return asPublished_ ? std::make_shared<PublishedTuplesPrediction>() : Technique::prediction();
 }
 
 std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {

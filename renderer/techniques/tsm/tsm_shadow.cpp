@@ -3,7 +3,23 @@
 #include <fmt/format.h>
 
 #include "technique/technique_entry.h"
+
 namespace timeshade {
+
+namespace {
+
+/// The dynamic bias: a depth is moved along the plane of what the texel saw to the receiver's time.
+class DynamicBiasPrediction final : public Prediction {
+  public:
+    std::optional<double> casterDistance(const ReceiverInMap& receiver, std::size_t caster, const glm::dvec2& position,
+                                         double u, double v) const override {
+        const TriangleInMap& triangle = receiver.triangles[caster];
+        if (!hitOf(triangle, position, v).inside) return std::nullopt;
+        return hitOf(triangle, position, u).distance;
+    }
+};
+
+}  // namespace
 
 const TechniqueDescription& TsmShadow::describe() {
     static const TechniqueDescription description{
@@ -40,12 +56,13 @@ void TsmShadow::visitSettings(SettingsVisitor& visitor) {
 }
 
 SamplingTraits TsmShadow::samplingTraits() const {
-    SamplingTraits traits;
-    traits.times = SamplingTraits::Times::RandomInStratum;
-    traits.texelCentres = true;
-    traits.movesDepth = dynamicBias_;
-    traits.biasTexels = static_cast<double>(bias_);
-    return traits;
+    return {.times = SamplingTraits::Times::RandomInStratum,
+            .texelCentres = true,
+            .biasTexels = static_cast<double>(bias_)};
+}
+
+std::shared_ptr<const Prediction> TsmShadow::prediction() const {
+    return dynamicBias_ ? std::make_shared<DynamicBiasPrediction>() : Technique::prediction();
 }
 
 std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {

@@ -1,0 +1,31 @@
+// What time-dependent shadow maps must compute, from what the technique states: the numbers of theory.
+#include <gtest/gtest.h>
+
+#include "cases/expectation.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+namespace {
+
+double predicted(const char* dynamicBias, const char* bias, int strata) {
+    gl::ProgramCache programs;
+    const std::unique_ptr<Technique> technique = makeTechnique("tsm", programs);
+    setFromText(*technique, "dynamic_bias", dynamicBias);
+    setFromText(*technique, "bias", bias);
+    return expectationOf(closedFormCase("approaching_self"), statementOf(*technique), strata, 512).litShare;
+}
+
+/// 1/2 (1 - b N / v)^2 of the samples are in the receiver's own shadow: half of them without a bias, whatever N, but
+/// for the sixteenth of the grid's pairs that are equal times.
+TEST(TsmPrediction, SelfShadowDependsOnTheBias) {
+    for (const int strata : {2, 8, 32}) EXPECT_NEAR(predicted("off", "0", strata), 0.5, 0.5 / 16 + 0.01);
+    EXPECT_GT(predicted("off", "32", 8), 0.6);
+}
+
+TEST(TsmPrediction, TheDynamicBiasEndsTheSelfShadow) {
+    EXPECT_NEAR(predicted("on", "0", 8), 1.0, 1e-9);
+    EXPECT_NEAR(predicted("on", "0.5", 2), 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace timeshade
