@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
 #include "frame_setup.h"
-#include "gl_checks.h"
 #include "headless.h"
-#include "make_context.h"
+#include "headless_gl.h"
 #include "measure/case_matrix.h"
 #include "measure/case_picture.h"
 #include "standard_error.h"
@@ -55,8 +53,7 @@ int runCases(const CasesOptions& options) {
     if (names.empty())
         for (const TechniqueDescription& description : techniqueDescriptions()) names.push_back(description.name);
 
-    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
-    const DriverWatch watch(options.debugGl);
+    const HeadlessGl opengl(options);
     FrameRenderer renderer;
     renderer.setChecked(options.debugGl);
     const bool quiet = options.json == "-";
@@ -78,7 +75,7 @@ int runCases(const CasesOptions& options) {
                 take(runCase(renderer, *technique, c, {options.samplesPerPixel, options.mapSize}));
         take(runContactGaps(renderer, *technique, {options.samplesPerPixel, options.mapSize}));
     }
-    watch.requireSilence();
+    opengl.requireSilence();
     if (quiet)
         fmt::print("{}", asJson(results));
     else if (!options.json.empty())

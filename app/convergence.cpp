@@ -6,13 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
 #include "core/folder_lock.h"
 #include "frame_setup.h"
-#include "gl_checks.h"
-#include "make_context.h"
+#include "headless_gl.h"
 #include "measure/convergence.h"
 #include "measure/detail_strip.h"
+#include "output_path.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_catalogue.h"
@@ -105,25 +104,19 @@ std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options,
 int runConvergence(const MeasureOptions& options) {
     const std::vector<ConvergenceCurve> curves =
         convergenceCurves(options.measuredTechniques.empty() ? convergingTechniques() : options.measuredTechniques);
-    const std::filesystem::path folder(options.output);
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw Error(
-            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    const std::filesystem::path folder = madeFolder(options.output);
     const FolderLock lock(folder);
     std::vector<int> frames = options.convergenceFrames;
     std::sort(frames.begin(), frames.end());
     std::vector<std::string> names = options.measuredScenes;
     if (names.empty()) names = {"frusta", "chess"};
-    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
-    const DriverWatch watch(options.debugGl);
+    const HeadlessGl opengl(options);
     FrameRenderer renderer;
     std::string report = head(options, renderer.device());
     for (const std::string& name : names) report += sceneSection(renderer, options, name, frames, curves);
-    watch.requireSilence();
+    opengl.requireSilence();
     writeFileAtomically(folder / "report.md", report);
-    fmt::print("{}\n", std::filesystem::absolute(folder / "report.md").lexically_normal().string());
+    fmt::print("{}\n", fullPath(folder / "report.md"));
     return 0;
 }
 

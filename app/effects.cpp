@@ -5,13 +5,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
 #include "core/folder_lock.h"
 #include "frame_setup.h"
-#include "gl_checks.h"
+#include "headless_gl.h"
 #include "image/image_file.h"
-#include "make_context.h"
 #include "measure/effects.h"
+#include "output_path.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_catalogue.h"
@@ -35,18 +34,10 @@ nlohmann::ordered_json toJson(const EffectRow& row) {
 }  // namespace
 
 int runEffects(const MeasureOptions& options) {
-    const std::filesystem::path folder(options.output);
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw Error(
-            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    const std::filesystem::path folder = madeFolder(options.output);
     const FolderLock lock(folder);
-    std::vector<std::string> names = options.measuredScenes;
-    if (names.empty())
-        for (const BuiltInScene& scene : showcase()) names.push_back(scene.name);
-    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
-    const DriverWatch watch(options.debugGl);
+    const std::vector<std::string> names = options.measuredScenes.empty() ? showcase() : options.measuredScenes;
+    const HeadlessGl opengl(options);
     EffectOptions effects;
     effects.technique = options.measuredTechniques.empty() ? options.technique : options.measuredTechniques.front();
     if (options.measuredTechniques.size() > 1)
@@ -67,7 +58,7 @@ int runEffects(const MeasureOptions& options) {
                               effectsTable(rows));
         for (const EffectRow& row : rows) json[name].push_back(toJson(row));
     }
-    watch.requireSilence();
+    opengl.requireSilence();
     const std::string head = fmt::format(
         "# What each effect costs\n\n{}. {} x {}, {} samples per pixel, shadow map {}. Medians over {} steady frames "
         "in "
@@ -76,7 +67,7 @@ int runEffects(const MeasureOptions& options) {
         options.rounds);
     writeFileAtomically(folder / "effects.md", head + report);
     writeFileAtomically(folder / "effects.json", json.dump(2) + "\n");
-    fmt::print("{}{}\n", report, std::filesystem::absolute(folder / "effects.md").lexically_normal().string());
+    fmt::print("{}{}\n", report, fullPath(folder / "effects.md"));
     return 0;
 }
 

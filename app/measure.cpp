@@ -10,14 +10,13 @@
 #include <fmt/format.h>
 
 #include "convergence.h"
-#include "core/error.h"
 #include "core/folder_lock.h"
 #include "effects.h"
 #include "frame_setup.h"
-#include "gl_checks.h"
-#include "make_context.h"
+#include "headless_gl.h"
 #include "measure/sweep_report.h"
 #include "measure/technique_variant.h"
+#include "output_path.h"
 #include "report.h"
 #include "scene_catalogue.h"
 #include "standard_error.h"
@@ -81,9 +80,7 @@ void showProgress(const std::string& what, int done, int total, double secondsLe
 
 /// Opens the scenes to measure, a varied one once for each of its values; `scenes` owns them.
 void addScenes(const MeasureOptions& options, std::vector<std::unique_ptr<Scene>>& scenes, SweepOptions& sweep) {
-    std::vector<std::string> names = options.measuredScenes;
-    if (names.empty())
-        for (const BuiltInScene& scene : showcase()) names.push_back(scene.name);
+    const std::vector<std::string> names = options.measuredScenes.empty() ? showcase() : options.measuredScenes;
     const std::string variedScene = options.variedSetting.substr(0, options.variedSetting.find('.'));
     for (const std::string& name : names) {
         const auto add = [&](const SettingTexts& settings, const std::string& varied, double value) {
@@ -104,12 +101,7 @@ void addScenes(const MeasureOptions& options, std::vector<std::unique_ptr<Scene>
 int runMeasure(const MeasureOptions& options) {
     if (!options.convergenceFrames.empty()) return runConvergence(options);
     if (options.effects) return runEffects(options);
-    const std::filesystem::path folder(options.output);
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw Error(
-            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
+    const std::filesystem::path folder = madeFolder(options.output);
     const FolderLock lock(folder);
 
     SweepOptions sweep;
@@ -128,19 +120,18 @@ int runMeasure(const MeasureOptions& options) {
     sweep.progress = showProgress;
     sweep.note = tellNote;
 
-    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
-    const DriverWatch watch(options.debugGl);
+    const HeadlessGl opengl(options);
     FrameRenderer renderer;
     ReferenceCache cache;
     const std::vector<SweepRow> rows = runSweep(renderer, sweep, cache);
     if (isatty(STDERR_FILENO) == 1) writeToStandardError("\r\033[K");
-    watch.requireSilence();
+    opengl.requireSilence();
 
     SweepManifest manifest;
     manifest.commandLine = options.commandLine;
     manifest.commit = TIMESHADE_COMMIT;
     manifest.processor = processorName();
-    manifest.backEnd = context->backEnd();
+    manifest.backEnd = opengl.backEnd();
     manifest.device = renderer.device();
     manifest.settings = settingLines(sweep.techniques, options);
     for (const SweepScene& scene : sweep.scenes)
@@ -148,7 +139,7 @@ int runMeasure(const MeasureOptions& options) {
                                             : fmt::format("{} {}={:g}", scene.name, scene.varied, scene.variedValue)] =
             planLines(scene, sweep.techniques.front(), renderer.device(), renderer.programs());
     writeSweepReport(folder, manifest, rows);
-    fmt::print("{}\n", std::filesystem::absolute(folder / "report.md").lexically_normal().string());
+    fmt::print("{}\n", fullPath(folder / "report.md"));
     return 0;
 }
 

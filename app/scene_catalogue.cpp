@@ -44,11 +44,11 @@ const std::vector<BuiltInScene>& caseScenes() {
     return scenes;
 }
 
-std::vector<BuiltInScene> showcase() {
-    std::vector<BuiltInScene> scenes;
+std::vector<std::string> showcase() {
+    std::vector<std::string> names;
     for (const BuiltInScene& scene : builtInScenes())
-        if (!scene.computed) scenes.push_back(scene);
-    return scenes;
+        if (!scene.computed) names.push_back(scene.name);
+    return names;
 }
 
 std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTexts& settings) {

@@ -25,8 +25,8 @@ const std::vector<BuiltInScene>& builtInScenes();
 /// The analytic cases that have a picture, named case:NAME. Made, not read from files.
 const std::vector<BuiltInScene>& caseScenes();
 
-/// The first look at the program, and what `measure` takes where no scene is named: those that are files.
-std::vector<BuiltInScene> showcase();
+/// Names of the first look at the program, and what `measure` takes where no scene is named: those that are files.
+std::vector<std::string> showcase();
 
 /// The recipe of a computed scene with those of the settings that are its own; null for any other scene.
 std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTexts& settings);

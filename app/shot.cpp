@@ -11,11 +11,11 @@
 #include "frame/frame_renderer.h"
 #include "frame/warm_up.h"
 #include "frame_setup.h"
-#include "gl_checks.h"
 #include "headless.h"
-#include "make_context.h"
+#include "headless_gl.h"
 #include "measure/frame_clock.h"
 #include "measure/view_scale.h"
+#include "output_path.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_catalogue.h"
@@ -52,8 +52,8 @@ void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& techni
 
 /// The time of the picture, all renders together. A first frame says that programs were compiled in it.
 void sayWritten(const std::filesystem::path& path, double milliseconds, bool compiled, const gl::DeviceInfo& device) {
-    fmt::print("{}  {:.1f} ms{}  {}\n", std::filesystem::absolute(path).lexically_normal().string(), milliseconds,
-               compiled ? " with compiling shaders" : "", deviceLine(device));
+    fmt::print("{}  {:.1f} ms{}  {}\n", fullPath(path), milliseconds, compiled ? " with compiling shaders" : "",
+               deviceLine(device));
 }
 
 constexpr int steadyFrames = 3;  // that `pictures` times; the last of them is the picture
@@ -82,7 +82,7 @@ void printTimes(const std::string& scene, const std::vector<ClockedFrame>& frame
     // A technique's view takes the place of shading.
     for (const char* step : {"sample", "build", "lookup", steady.count("view") > 0 ? "view" : "shade", "total"})
         fmt::print(" {:>9.1f}", median(steady.at(step)));
-    fmt::print(" {:>9.1f}  {}\n", cold, std::filesystem::absolute(path).lexically_normal().string());
+    fmt::print(" {:>9.1f}  {}\n", cold, fullPath(path));
 }
 
 }  // namespace
@@ -97,8 +97,7 @@ int runShot(const ShotOptions& options) {
     FrameRequest request = requestFor(options, *scene);
     for (const std::string& note : scene->notes()) tellNote(note);
 
-    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
-    const DriverWatch watch(options.debugGl);
+    const HeadlessGl opengl(options);
     FrameRenderer renderer;
     renderer.setChecked(options.debugGl);
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
@@ -108,8 +107,8 @@ int runShot(const ShotOptions& options) {
         const std::filesystem::path path = pathOfFrame(options.output, i, frames);
         std::uint64_t compiled = renderer.programs().compiled();
         if (!options.compared.empty()) {
-            const ComparedShot shot = drawCompared(renderer, planner, request, options, *scene, context->backEnd());
-            watch.requireSilence();
+            const ComparedShot shot = drawCompared(renderer, planner, request, options, *scene, opengl.backEnd());
+            opengl.requireSilence();
             writePng(path, shot.picture);
             if (!options.json.empty() && i + 1 == frames) writeFileAtomically(options.json, shot.manifests);
             sayWritten(path, shot.milliseconds, renderer.programs().compiled() != compiled, renderer.device());
@@ -124,7 +123,7 @@ int runShot(const ShotOptions& options) {
         else
             diagnostic = drawDiagnostic(renderer, plan, *technique, options.diagnostic);
         const auto times = renderer.timer().finishFrame();
-        watch.requireSilence();
+        opengl.requireSilence();
         if (options.explain && i == 0) fmt::print("{}", countedInWords(*technique));
         if (diagnostic)
             writePng(path, *diagnostic);
@@ -132,7 +131,7 @@ int runShot(const ShotOptions& options) {
             write(renderer, path);
         sayWritten(path, gl::totalOf(times), renderer.programs().compiled() != compiled, renderer.device());
         if (!options.json.empty() && i + 1 == frames) {
-            const std::string text = manifest(renderer, *technique, options.scene, *scene, context->backEnd(), times);
+            const std::string text = manifest(renderer, *technique, options.scene, *scene, opengl.backEnd(), times);
             writeFileAtomically(options.json, text);
         }
     }
@@ -140,30 +139,26 @@ int runShot(const ShotOptions& options) {
 }
 
 int runPictures(const PicturesOptions& options) {
-    const std::filesystem::path folder(options.output);
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw Error(
-            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder.string(), failure.message()));
-    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
+    const std::filesystem::path folder = madeFolder(options.output);
+    const HeadlessGl opengl(options);
     FrameRenderer renderer;
     fmt::print("{} through {}\n{} at {} x {}, {} samples per pixel, map {}\n\n", deviceLine(renderer.device()),
-               context->backEnd(), options.technique, options.width, options.height, options.samplesPerPixel,
+               opengl.backEnd(), options.technique, options.width, options.height, options.samplesPerPixel,
                options.mapSize);
     printTimesHeader();
-    for (const BuiltInScene& builtIn : showcase()) {
-        const std::filesystem::path path = folder / (builtIn.name + ".png");
+    for (const std::string& name : showcase()) {
+        const std::filesystem::path path = folder / (name + ".png");
         requireWritable(path);
-        const std::unique_ptr<Scene> scene = openScene(builtIn.name, "");
+        const std::unique_ptr<Scene> scene = openScene(name, "");
         const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
         FramePlanner planner(*scene);
         const FrameRequest request = requestFor(options, *scene);
         FrameClock clock(renderer, planner, options.view, options.techniqueView);
         clock.warmUp(*technique, request);
         const std::vector<ClockedFrame> frames = clock.time(*technique, request, steadyFrames);
+        opengl.requireSilence();
         writePng(path, pictureOf(renderer));
-        printTimes(builtIn.name, frames, path);
+        printTimes(name, frames, path);
     }
     return 0;
 }

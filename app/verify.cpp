@@ -6,9 +6,8 @@
 #include "core/error.h"
 #include "frame/warm_up.h"
 #include "frame_setup.h"
-#include "gl_checks.h"
 #include "headless.h"
-#include "make_context.h"
+#include "headless_gl.h"
 #include "measure/verification.h"
 #include "measure/verification_json.h"
 #include "progress.h"
@@ -92,8 +91,7 @@ int runVerify(const VerifyOptions& options) {
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     const FrameRequest request = requestFor(options, *scene);
-    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
-    const DriverWatch watch(options.debugGl);
+    const HeadlessGl opengl(options);
     FrameRenderer renderer;
     renderer.setChecked(options.debugGl);
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
@@ -116,10 +114,10 @@ int runVerify(const VerifyOptions& options) {
         drawWarmUp(renderer, planner, *technique, request, View::Visibility);
         verification = verifyFrame(renderer, plan, *technique, how);
     }
-    watch.requireSilence();
+    opengl.requireSilence();
     if (options.explain) fmt::print("{}", countedInWords(*technique));
     if (dump) dump->finish();
-    const std::string json = asJson(verification, renderer, *technique, options.scene, *scene, context->backEnd());
+    const std::string json = asJson(verification, renderer, *technique, options.scene, *scene, opengl.backEnd());
     if (options.json == "-")
         fmt::print("{}", json);
     else

@@ -1,16 +1,37 @@
 #include "compare/compared_techniques.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "compare/composed_picture.h"
 #include "frame_setup.h"
 #include "measure/technique_variant.h"
+#include "options_text.h"
 
 namespace timeshade {
 
-std::string sampleCountLabel(const std::string& variant, Technique& technique, int samplesPerPixel) {
-    if (technique.renders() > 1) return fmt::format("{}, {} renders", variant, technique.renders());
-    return fmt::format("{}, {} spp", variant, samplesPerPixel);
+namespace {
+
+/// "bias 2; dynamic bias on"; empty where all settings but the number of renders are at their defaults.
+std::string changedInWords(Technique& technique) {
+    std::string words;
+    for (const Setting& setting : settingsOf(technique)) {
+        if (!isChanged(setting) || (setting.key == "renders" && technique.renders() > 1)) continue;
+        std::string key = setting.key;
+        std::replace(key.begin(), key.end(), '_', ' ');
+        words += (words.empty() ? "" : "; ") + key + " " + textOf(setting);
+    }
+    return words;
+}
+
+}  // namespace
+
+std::string sampleCountLabel(Technique& technique, int samplesPerPixel) {
+    std::string label = technique.description().shortTitle;
+    if (const std::string changed = changedInWords(technique); !changed.empty()) label += " (" + changed + ")";
+    if (technique.renders() > 1) return fmt::format("{}, {} renders", label, technique.renders());
+    return fmt::format("{}, {} spp", label, samplesPerPixel);
 }
 
 std::vector<std::string> labelsOf(const std::vector<ComparedTechnique>& techniques) {
@@ -23,7 +44,7 @@ std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::
     std::vector<ComparedTechnique> techniques;
     for (const std::string& variant : options.compared) {
         techniques.push_back({TechniqueVariant::of(variant).make(options.settings, programs), ""});
-        techniques.back().label = sampleCountLabel(variant, *techniques.back().technique, options.samplesPerPixel);
+        techniques.back().label = sampleCountLabel(*techniques.back().technique, options.samplesPerPixel);
     }
     if (techniques.empty()) techniques.push_back({techniqueFor(options, programs), ""});
     return techniques;

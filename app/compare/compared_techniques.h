@@ -13,14 +13,15 @@ namespace timeshade {
 /// One of the techniques that are drawn of a moment, with what it is called on the picture.
 struct ComparedTechnique {
     std::unique_ptr<Technique> technique;
-    std::string label;  ///< "ranges, 8 spp"; empty where it stands alone
+    std::string label;  ///< "Ranges, 8 spp"; empty where it stands alone
 };
 
 /// The two that --compare names, or the one of --technique.
 std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::ProgramCache& programs);
 
-/// What a viewer should know of a technique: "tsm:bias=2, 8 spp", or its number of renders.
-std::string sampleCountLabel(const std::string& variant, Technique& technique, int samplesPerPixel);
+/// What a viewer should know of a technique: "TSM, 8 spp", with settings that are not at their defaults
+/// "TSM (bias 2; dynamic bias on), 8 spp"; of brute force its number of renders.
+std::string sampleCountLabel(Technique& technique, int samplesPerPixel);
 
 /// Their pictures as the one that the options ask for, labelled. One picture alone stays as it is.
 DisplayImage composedFor(const CompareOptions& options, double seam, const std::vector<std::string>& labels,

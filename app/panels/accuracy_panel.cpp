@@ -60,16 +60,20 @@ void drawChartOf(Session& session, Widgets& widgets) {
 std::string drawOther(Session& session, Widgets& widgets) {
     const std::vector<TechniqueDescription>& all = techniqueDescriptions();
     const std::string& now = session.technique.name();
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (all[i].name != now) names.push_back(all[i].name);
+    std::vector<std::string> names, titles;
+    for (const TechniqueDescription& description : all) {
+        if (description.name == now) continue;
+        names.push_back(description.name);
+        titles.push_back(description.shortTitle);
+    }
     if (names.empty()) return "";
     auto chosen = std::find(names.begin(), names.end(), session.accuracyOther);
     if (chosen == names.end()) chosen = names.begin();
     const auto picked =
-        widgets.combo("accuracy.other", "Against", names, static_cast<std::size_t>(chosen - names.begin()),
+        widgets.combo("accuracy.other", "Against", titles, static_cast<std::size_t>(chosen - names.begin()),
                       "The technique that the two buttons choose, with as many samples a pixel (or renders) as make it "
-                      "as slow, or as wrong, as the current one.");
+                      "as slow, or as wrong, as the current one.",
+                      names);
     session.accuracyOther = picked ? names[*picked] : *chosen;
     return session.accuracyOther;
 }

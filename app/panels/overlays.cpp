@@ -115,7 +115,7 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
          {"X", "swap A/B of a comparison"},
          {"P", "save the picture"},
          {"Shift-P", "save it as EXR, in linear light"},
-         {"M", "magnify the pixel under the mouse, with its samples"},
+         {"M", "magnify the pixel under the mouse; lit values of its samples"},
          {"F5", "reload shaders"},
          {"? or F1", "show or hide this list"},
          {"H", "hide or show the panels"},

@@ -13,7 +13,7 @@ void drawTransportBar(Session& session, Widgets& widgets, const Area& area);
 /// What lies over the picture: why there is none, a notice, the list of keys.
 void drawOverlays(Session& session, Widgets& widgets, const Area& picture);
 
-/// The magnifier and the strips of one pixel.
+/// The magnifier, and what each technique and the ground truth say of the pixel's samples.
 void drawProbe(Session& session, Widgets& widgets, const Area& picture);
 
 /// The sections of the side panel, from top to bottom.

@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
-
-#include <fmt/format.h>
+#include <vector>
 
 #include "panels/panels.h"
 #include "panels/theme.h"
@@ -10,20 +11,45 @@ namespace timeshade {
 
 namespace {
 
-/// Cells from the shutter's opening to its closing, white where lit.
-void drawStrip(const PixelProbe::Row& row, float width, float height) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
+constexpr float stripWidth = 160.0f, valueHeight = 11.0f, truthHeight = 5.0f;
+constexpr float thinnestMark = 3.0f, widestMark = 6.0f;  // of an instant, with the gap beside it
+
+/// Bars of one strip: black is shadowed, white is lit.
+void drawBars(const PixelProbe::Row& row, float ProbeValue::*shown, ImVec2 corner, ImVec2 size, float mark) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto count = static_cast<float>(row.lit.size());
-    for (std::size_t k = 0; k < row.lit.size(); ++k) {
-        const float lit = row.lit[k];
-        const ImVec4 color = lit < 0.0f ? ImVec4(0.20f, 0.22f, 0.30f, 1.0f)
-                                        : ImVec4(0.08f + 0.88f * lit, 0.08f + 0.84f * lit, 0.08f + 0.70f * lit, 1.0f);
-        list.AddRectFilled({corner.x + width * static_cast<float>(k) / count, corner.y},
-                           {corner.x + width * static_cast<float>(k + 1) / count - 1.0f, corner.y + height},
-                           ImGui::GetColorU32(color));
+    for (const ProbeBar& bar : barsOf(row.values, shown, mark / size.x)) {
+        const auto grey = static_cast<int>(std::lround(255.0f * std::clamp(bar.grey, 0.0f, 1.0f)));
+        const float gap = bar.right < 1.0f ? 1.0f : 0.0f;  // to what follows
+        list.AddRectFilled({corner.x + size.x * bar.left, corner.y + size.y * bar.top},
+                           {corner.x + size.x * bar.right - gap, corner.y + size.y * bar.bottom},
+                           IM_COL32(grey, grey, grey, 255));
     }
+}
+
+/// The technique's values above the truth over the same intervals, the means of both, and the name.
+void drawRow(const PixelProbe::Row& row, Widgets& widgets) {
+    const float unit = widgets.scale(), width = stripWidth * unit;
+    const float mark =
+        unit * std::clamp(0.5f * stripWidth / static_cast<float>(row.values.size()), thinnestMark, widestMark);
+    const float height = (valueHeight + 1.0f + truthHeight) * unit;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    // The ground shows where there is no value, and parts dark bars from each other and from the panel.
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x - 1.0f, corner.y - 1.0f},
+                                              {corner.x + width + 1.0f, corner.y + height + 1.0f},
+                                              IM_COL32(58, 64, 84, 255));
+    drawBars(row, &ProbeValue::lit, corner, {width, valueHeight * unit}, mark);
+    drawBars(row, &ProbeValue::truth, {corner.x, corner.y + (valueHeight + 1.0f) * unit}, {width, truthHeight * unit},
+             mark);
     ImGui::Dummy({width, height});
+    std::vector<std::array<float, 4>> values;
+    for (const ProbeValue& value : row.values) values.push_back({value.from, value.to, value.lit, value.truth});
+    widgets.dump().lastItem("probe." + row.name, values);
+    ImGui::SameLine();
+    ImGui::Text("%.2f", row.mean(&ProbeValue::lit));
+    ImGui::SameLine();
+    ImGui::TextColored(theme::quiet, "%.2f", row.mean(&ProbeValue::truth));
+    ImGui::SameLine();
+    ImGui::TextUnformatted(row.title.c_str());
 }
 
 }  // namespace
@@ -48,17 +74,12 @@ void drawProbe(Session& session, Widgets& widgets, const Area& picture) {
         ImGui::GetWindowDrawList()->AddRect({corner.x + middle, corner.y + middle},
                                             {corner.x + middle + 8.0f * unit, corner.y + middle + 8.0f * unit},
                                             ImGui::GetColorU32(theme::accent));
-        ImGui::TextColored(theme::quiet, "pixel %d, %d, 8 x", probe.x(), probe.y());
+        ImGui::TextColored(theme::quiet, "Pixel %d, %d, 8x", probe.x(), probe.y());
         ImGui::EndGroup();
         ImGui::SameLine();
         ImGui::BeginGroup();
-        ImGui::TextColored(theme::quiet, "lit, from the shutter's opening to its closing");
-        for (const PixelProbe::Row& row : probe.rows()) {
-            drawStrip(row, 150.0f * unit, 11.0f * unit);
-            ImGui::SameLine();
-            ImGui::Text("%.2f  %s", row.mean(), row.name.c_str());
-            widgets.dump().lastItem("probe." + row.name, row.lit);
-        }
+        ImGui::TextColored(theme::quiet, "Lit over the shutter, above ground truth");
+        for (const PixelProbe::Row& row : probe.rows()) drawRow(row, widgets);
         if (!probe.caption().empty()) ImGui::TextColored(theme::warning, "%s", probe.caption().c_str());
         ImGui::EndGroup();
     }

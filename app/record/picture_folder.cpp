@@ -1,20 +1,12 @@
 #include "record/picture_folder.h"
 
-#include <utility>
-
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "output_path.h"
 
 namespace timeshade {
 
-PictureFolder::PictureFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder_, failure);
-    if (failure)
-        throw Error(
-            fmt::format("{}: cannot be made ({}); expected a folder to write to", folder_.string(), failure.message()));
-    lock_.emplace(folder_);
+PictureFolder::PictureFolder(const std::filesystem::path& folder) : folder_(madeFolder(folder)), lock_(folder_) {
     requireWritable(pathOf(0));
 }
 

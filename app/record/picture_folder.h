@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 
 #include "core/folder_lock.h"
 #include "record/frame_sink.h"
@@ -12,7 +11,7 @@ namespace timeshade {
 class PictureFolder final : public FrameSink {
   public:
     /// Makes the folder where there is none. Throws Error where no picture can be written to it.
-    explicit PictureFolder(std::filesystem::path folder);
+    explicit PictureFolder(const std::filesystem::path& folder);
 
     void add(const DisplayImage& frame) override;
     void finish() override {}
@@ -22,7 +21,7 @@ class PictureFolder final : public FrameSink {
     std::filesystem::path pathOf(int number) const;
 
     std::filesystem::path folder_;
-    std::optional<FolderLock> lock_;
+    FolderLock lock_;
     int frames_ = 0;
 };
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "gl_checks.h"
 #include "headless.h"
-#include "make_context.h"
+#include "headless_gl.h"
+#include "output_path.h"
 #include "record/frame_progress.h"
 #include "record/part_painter.h"
 #include "record/picture_folder.h"
@@ -61,13 +61,13 @@ std::unique_ptr<FrameSink> sinkFor(const RecordOptions& options, const FrameOpti
 }
 
 /// Draws until the end or until a stop signal. How many frames there are then.
-int drawAll(std::vector<ReadyPart>& parts, FrameSink& sink, const FrameProgress& progress, const DriverWatch& watch) {
+int drawAll(std::vector<ReadyPart>& parts, FrameSink& sink, const FrameProgress& progress, const HeadlessGl& opengl) {
     int done = 0;
     for (ReadyPart& part : parts) {
         for (int i = 0; i < part.painter->frames(); ++i) {
             const std::optional<DisplayImage> frame = part.painter->next();
             if (!frame) return done;
-            watch.requireSilence();
+            opengl.requireSilence();
             sink.add(*frame);
             progress.update(++done);
         }
@@ -121,8 +121,7 @@ int runRecord(const RecordOptions& options) {
     const StopSignals signals;
     const std::vector<ScriptPart> parts = partsOf(options);
     if (!options.json.empty()) requireWritable(options.json);
-    const std::unique_ptr<GlContext> context = makeContext(options.context, options.debugGl);
-    const DriverWatch watch(options.debugGl);
+    const HeadlessGl opengl(options);
     FrameRenderer renderer;
     renderer.setChecked(options.debugGl);
     const PictureText text;
@@ -138,14 +137,14 @@ int runRecord(const RecordOptions& options) {
     double seconds = 0.0;
     {
         const FrameProgress progress(total);
-        const int done = drawAll(ready, *sink, progress, watch);
+        const int done = drawAll(ready, *sink, progress, opengl);
         if (done < total) failStopped(*sink, done, total);
         sink->finish();
         seconds = progress.secondsSoFar();
     }
-    fmt::print("{}  {} frames of {} x {} at {:g} per second, drawn in {}  {}\n",
-               std::filesystem::absolute(sink->kept()).lexically_normal().string(), total, parts.front().drawn.width,
-               parts.front().drawn.height, framesPerSecond, inClockWords(seconds), deviceLine(renderer.device()));
+    fmt::print("{}  {} frames of {} x {} at {:g} per second, drawn in {}  {}\n", fullPath(sink->kept()), total,
+               parts.front().drawn.width, parts.front().drawn.height, framesPerSecond, inClockWords(seconds),
+               deviceLine(renderer.device()));
     if (!options.json.empty()) {
         const std::string report = reportOf(options, parts, ready, frames, framesPerSecond, seconds, renderer.device());
         writeFileAtomically(options.json, report);

@@ -69,9 +69,10 @@ ProbeSubject subjectOf(const Session& session) {
 }
 
 std::string sampleCountInWords(const ProbeSubject& subject) {
+    const std::string& title = techniqueDescription(subject.technique).shortTitle;
     if (const auto place = rendersPlace(subject.technique))
-        return fmt::format("{} at {:g} renders", subject.technique, subject.settings[*place]);
-    return fmt::format("{} at {} spp", subject.technique, subject.samplesPerPixel);
+        return fmt::format("{} at {:g} renders", title, subject.settings[*place]);
+    return fmt::format("{} at {} spp", title, subject.samplesPerPixel);
 }
 
 std::string sampleCountLabel(const ProbeSubject& subject) {

@@ -74,7 +74,7 @@ class Accuracy {
 
 /// What the session draws now.
 ProbeSubject subjectOf(const Session& session);
-/// "tsm at 8 spp", "accumulation at 64 renders"
+/// "TSM at 8 spp", "Accumulation at 64 renders"
 std::string sampleCountInWords(const ProbeSubject& subject);
 /// "8", "64x"
 std::string sampleCountLabel(const ProbeSubject& subject);

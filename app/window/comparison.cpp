@@ -109,7 +109,7 @@ bool Comparison::updateErrors(Session& session) {
 
 std::string Comparison::label(const Session& session, bool ofSecond) const {
     Technique& technique = ofSecond ? *technique_ : session.technique.current();
-    std::string text = sampleCountLabel(variantOf(technique), technique, session.moment.request.samplesPerPixel);
+    std::string text = sampleCountLabel(technique, session.moment.request.samplesPerPixel);
     const FrameTimes* times = !ofSecond ? &session.driver.times() : driver_ ? &driver_->times() : nullptr;
     if (times != nullptr && times->frames() > 0) text += ", " + inMilliseconds(times->medianTotal());
     const ProbeSubject subject = subjectOfTechnique(technique, session.moment.request);
@@ -125,11 +125,9 @@ std::vector<std::string> Comparison::variants(Session& session) const {
 DisplayImage Comparison::composedPicture(Session& session) {
     CompareOptions options = session.options;
     options.compareMode = mode;
-    const std::vector<std::string> names = variants(session);
     const int samples = session.moment.request.samplesPerPixel;
     return composedFor(options, seam,
-                       {sampleCountLabel(names[0], session.technique.current(), samples),
-                        sampleCountLabel(names[1], *technique_, samples)},
+                       {sampleCountLabel(session.technique.current(), samples), sampleCountLabel(*technique_, samples)},
                        {session.renderer.readPicture(), renderer_->readPicture()}, PictureText());
 }
 

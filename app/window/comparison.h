@@ -52,7 +52,7 @@ class Comparison {
     /// Seconds that the window may sleep; nothing if only a change can bring work.
     std::optional<double> sleep(double now) const;
 
-    /// "tsm, 8 spp, 12.3 ms, RMSE 0.012"; what is not known yet is left out.
+    /// "TSM, 8 spp, 12.3 ms, shadow error 0.012"; what is not known yet is left out.
     std::string label(const Session& session, bool ofSecond) const;
     /// The two as --compare takes them: "tsm", "ranges:bias=2".
     std::vector<std::string> variants(Session& session) const;

@@ -7,7 +7,7 @@
 #include "frame/warm_up.h"
 #include "frame_setup.h"
 #include "gl/errors.h"
-#include "oracle/oracle.h"
+#include "measure/footprint_error.h"
 #include "techniques/registry.h"
 #include "window/display_texture.h"
 #include "window/session.h"
@@ -32,15 +32,15 @@ DisplayImage squareAround(const DisplayImage& picture, int x0, int y0, int side)
 
 }  // namespace
 
-double PixelProbe::Row::mean() const {
+double PixelProbe::Row::mean(float ProbeValue::*what) const {
     double sum = 0.0;
-    int asked = 0;
-    for (const float value : lit) {
-        if (value < 0.0f) continue;
-        sum += static_cast<double>(value);
-        ++asked;
+    int count = 0;
+    for (const ProbeValue& value : values) {
+        if (value.lit < 0.0f || value.*what < 0.0f) continue;
+        sum += static_cast<double>(value.*what);
+        ++count;
     }
-    return asked == 0 ? 0.0 : sum / asked;
+    return count == 0 ? 0.0 : sum / count;
 }
 
 void PixelProbe::pick(int x, int y) {
@@ -53,6 +53,9 @@ void PixelProbe::pick(int x, int y) {
 void PixelProbe::clear() {
     on_ = complete_ = false;
     rows_.clear();
+    samples_.clear();
+    oracle_.reset();
+    others_.clear();
     square_.reset();
     renderer_.reset();
 }
@@ -69,7 +72,7 @@ bool PixelProbe::update(Session& session) {
         if (of_ != driver.begun())
             begin(session);
         else
-            askNext(session);
+            evaluateNext(session);
     } catch (const std::exception& error) {
         caption_ = error.what();
         complete_ = true;
@@ -78,74 +81,111 @@ bool PixelProbe::update(Session& session) {
     return true;
 }
 
-std::vector<float> PixelProbe::litOf(const FrameRenderer& renderer) const {
-    const FrameRequest& drawn = renderer.plan().request;
-    const std::vector<float> all = renderer.readVisibility();
-    const auto layer = static_cast<std::size_t>(drawn.width) * static_cast<std::size_t>(drawn.height);
-    const auto place = static_cast<std::size_t>(drawn.height - 1 - y_) * static_cast<std::size_t>(drawn.width) +
+/// Of all camera samples, [stratum][row from the bottom][column], those of the pixel.
+template <typename T>
+std::vector<T> PixelProbe::ofPixel(const FrameRequest& request, const std::vector<T>& all) const {
+    const auto layer = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
+    const auto place = static_cast<std::size_t>(request.height - 1 - y_) * static_cast<std::size_t>(request.width) +
                        static_cast<std::size_t>(x_);
-    std::vector<float> lit;
-    for (std::size_t at = place; at < all.size(); at += layer) lit.push_back(all[at]);
-    return lit;
+    std::vector<T> own;
+    for (std::size_t at = place; at < all.size(); at += layer) own.push_back(all[at]);
+    return own;
 }
 
 void PixelProbe::begin(Session& session) {
     of_ = session.driver.begun();
     complete_ = false;
-    next_ = 0;
     rows_.clear();
+    samples_.clear();
+    oracle_.reset();
     upload(square_, squareAround(session.renderer.readPicture(), x_, y_, side));
     square_->setFilters(GL_NEAREST, GL_NEAREST);
-    if (session.renderer.renders() == 1) rows_.push_back({session.technique.name(), litOf(session.renderer)});
-    caption_ = "asking the other techniques";
-}
-
-void PixelProbe::askNext(Session& session) {
-    const std::vector<TechniqueDescription>& all = techniqueDescriptions();
     if (!renderer_) renderer_.emplace();
-    const FramePlan& plan = session.renderer.plan();
-    while (next_ < all.size()) {
-        const std::string& name = all[next_++].name;
-        TechniqueOptions chosen = session.options;
-        chosen.technique = name;
-        const std::unique_ptr<Technique> technique = techniqueFor(chosen, renderer_->programs());
-        // Brute force looks from one instant after the other and has no answer of its own for a camera sample.
-        if (name == session.technique.name() || technique->renders() > 1 || technique->unsupported(plan)) continue;
-        drawWarmUp(*renderer_, session.scene.planner(), *technique, plan.request, View::Visibility);
-        renderer_->draw(plan, *technique, View::Visibility);
-        renderer_->timer().finishFrame();
-        rows_.push_back({name, litOf(*renderer_)});
-        caption_ = "asking " + (next_ < all.size() ? all[next_].name : std::string("the ray tracer"));
-        return;
+    others_.clear();
+    next_ = 0;
+    for (const TechniqueDescription& description : techniqueDescriptions()) {
+        std::unique_ptr<Technique> other =
+            techniqueFor(description.name, session.options.settings, renderer_->programs());
+        // Brute force draws one instant after the other and has no value for a camera sample.
+        if (description.name == session.technique.name() || other->renders() > 1 ||
+            other->unsupported(session.renderer.plan()))
+            continue;
+        others_.push_back(std::move(other));
     }
-    traceTruth(session);
+    caption_ = "Computing the ground truth...";
 }
 
-void PixelProbe::traceTruth(const Session& session) {
+void PixelProbe::evaluateNext(Session& session) {
+    if (rows_.empty() && session.renderer.renders() == 1) {
+        addRow(session.renderer.plan(), session.renderer, session.technique.current());
+        return announceNext();
+    }
+    if (next_ < others_.size()) {
+        drawOther(session, *others_[next_]);
+        others_[next_++].reset();  // its maps may be large
+        return announceNext();
+    }
     complete_ = true;
     caption_.clear();
-    if (session.renderer.renders() > 1 && rows_.empty()) return;
-    const FramePlan& plan = renderer_->complete() ? renderer_->plan() : session.renderer.plan();
-    const FrameRenderer& drawn = renderer_->complete() ? *renderer_ : session.renderer;
-    const std::vector<std::uint32_t> ids = drawn.readSampleIds();
-    const FrameRequest& request = plan.request;
-    const auto layer = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
-    const auto place = static_cast<std::size_t>(request.height - 1 - y_) * static_cast<std::size_t>(request.width) +
-                       static_cast<std::size_t>(x_);
-    const Oracle oracle(plan);
-    Row truth{"truth", {}};
-    for (int k = 0; k < request.samplesPerPixel; ++k) {
-        const std::uint32_t id = ids[place + static_cast<std::size_t>(k) * layer];
-        const SampleIndex index{static_cast<std::uint32_t>(x_), static_cast<std::uint32_t>(request.height - 1 - y_),
-                                static_cast<std::uint32_t>(k)};
-        const OracleAnswer answer = id == NO_TRIANGLE ? OracleAnswer{} : oracle.resolve(plan, index, id);
-        truth.lit.push_back(answer.hit && answer.tested ? (answer.lit ? 1.0f : 0.0f) : -1.0f);
+    oracle_.reset();
+}
+
+void PixelProbe::drawOther(Session& session, Technique& technique) {
+    const FramePlan& plan = session.renderer.plan();
+    drawWarmUp(*renderer_, session.scene.planner(), technique, plan.request, View::Visibility);
+    renderer_->draw(plan, technique, View::Visibility);
+    renderer_->timer().finishFrame();
+    addRow(plan, *renderer_, technique);
+}
+
+void PixelProbe::announceNext() {
+    if (next_ < others_.size()) caption_ = fmt::format("Evaluating {}...", others_[next_]->description().shortTitle);
+}
+
+void PixelProbe::addRow(const FramePlan& plan, const FrameRenderer& renderer, const Technique& technique) {
+    if (samples_.empty()) traceSamples(plan, renderer);
+    const std::vector<float> lit = ofPixel(plan.request, renderer.readVisibility());
+    Row row{technique.description().name, technique.description().shortTitle, {}};
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+        row.values.emplace_back();
+        // Where the oracle tests nothing, no technique has a value.
+        if (samples_[k].answer.hit && samples_[k].answer.tested) row.values.back().lit = lit[k];
     }
-    // Where the oracle tests nothing, no technique has a value.
-    for (Row& row : rows_)
-        for (std::size_t k = 0; k < std::min(row.lit.size(), truth.lit.size()); ++k)
-            if (truth.lit[k] < 0.0f) row.lit[k] = -1.0f;
-    rows_.insert(rows_.begin(), std::move(truth));
+    addTruth(plan, technique.footprint(), row.values);
+    rows_.push_back(std::move(row));
+}
+
+/// They are the same for all techniques.
+void PixelProbe::traceSamples(const FramePlan& plan, const FrameRenderer& renderer) {
+    oracle_ = std::make_unique<Oracle>(plan);
+    std::uint32_t stratum = 0;
+    for (const std::uint32_t triangle : ofPixel(plan.request, renderer.readSampleIds())) {
+        Sample sample{
+            {static_cast<std::uint32_t>(x_), static_cast<std::uint32_t>(plan.request.height - 1 - y_), stratum++},
+            triangle,
+            {}};
+        if (triangle != NO_TRIANGLE) sample.answer = oracle_->resolve(plan, sample.index, triangle);
+        samples_.push_back(sample);
+    }
+}
+
+/// The footprint's interval and the true mean over it.
+void PixelProbe::addTruth(const FramePlan& plan, const Footprint& footprint, std::vector<ProbeValue>& values) const {
+    std::vector<SampleFootprint> footprints;
+    for (const Sample& sample : samples_)
+        footprints.push_back(footprintOf(footprint, sample.index, sample.triangle, sample.answer.time,
+                                         sample.index.stratum, plan.block.strata));
+    std::vector<VisibilityMean> means;
+    if (!footprint.isInstantAtPoint()) means = oracle_->footprintMeans(plan, footprints, rays, plan.block.seed);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        values[k].from = footprints[k].from;
+        values[k].to = footprints[k].to;
+        if (values[k].lit < 0.0f) continue;
+        if (means.empty())
+            values[k].truth = samples_[k].answer.lit ? 1.0f : 0.0f;
+        else if (means[k].exists())
+            values[k].truth = static_cast<float>(means[k].value());
+    }
 }
 
 }  // namespace timeshade

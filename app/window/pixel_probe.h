@@ -7,24 +7,27 @@
 
 #include "frame/frame_renderer.h"
 #include "gl/texture.h"
+#include "oracle/oracle.h"
+#include "window/probe_bars.h"
 
 namespace timeshade {
 
 struct Session;
 
-/// One pixel under a magnifier: its surroundings, and what each technique and the ray-traced truth say of its camera
-/// samples, along the shutter.
+/// One pixel under a magnifier: its surroundings, and the lit value of each of its camera samples by each technique,
+/// with the ground truth over the same footprint.
 class PixelProbe {
   public:
-    static constexpr int side = 17;  ///< pixels of the magnified square
+    static constexpr int side = 17;              ///< pixels of the magnified square
+    static constexpr std::uint32_t rays = 1024;  ///< of each true mean, where the truth is not a single test
 
-    /// What one of them says: lit of each camera sample, from the first stratum of the shutter to the last; negative
-    /// where the oracle tests nothing (nothing is seen, or a surface that faces away from the light or lies outside its
-    /// cone).
+    /// The values of one technique, from the first stratum of the shutter to the last; none where the oracle tests
+    /// nothing (nothing is seen, or a surface that faces away from the light or lies outside its cone).
     struct Row {
-        std::string name;
-        std::vector<float> lit;
-        double mean() const;  ///< of those that are asked
+        std::string name, title;  ///< "tsm", "TSM"
+        std::vector<ProbeValue> values;
+        /// Mean of the values, or of the truths. 0 where there are none.
+        double mean(float ProbeValue::*what) const;
     };
 
     bool on() const { return on_; }
@@ -34,28 +37,43 @@ class PixelProbe {
     int x() const { return x_; }
     int y() const { return y_; }
 
-    /// Does a step once the picture is still: the picture's own answers, then one other technique after the other, then
-    /// the truth. True if the window has to be drawn again.
+    /// Does a step once the picture is complete and nothing moves: the technique that is shown, then one other after
+    /// the other. True if the window has to be drawn again.
     bool update(Session& session);
 
     /// The square around the pixel, first row uppermost; null until it has been read.
     const gl::Texture* square() const { return square_ ? &*square_ : nullptr; }
     const std::vector<Row>& rows() const { return rows_; }
     bool complete() const { return complete_; }
-    /// What is being asked; or why something can't be.
+    /// What is being evaluated; or why something can't be.
     const std::string& caption() const { return caption_; }
 
   private:
+    /// One of the pixel's camera samples, and what the oracle says of it.
+    struct Sample {
+        SampleIndex index;
+        std::uint32_t triangle = NO_TRIANGLE;
+        OracleAnswer answer;
+    };
+
     void begin(Session& session);
-    void askNext(Session& session);
-    void traceTruth(const Session& session);
-    std::vector<float> litOf(const FrameRenderer& renderer) const;
+    void evaluateNext(Session& session);
+    void drawOther(Session& session, Technique& technique);
+    void announceNext();
+    void addRow(const FramePlan& plan, const FrameRenderer& renderer, const Technique& technique);
+    void traceSamples(const FramePlan& plan, const FrameRenderer& renderer);
+    void addTruth(const FramePlan& plan, const Footprint& footprint, std::vector<ProbeValue>& values) const;
+    template <typename T>
+    std::vector<T> ofPixel(const FrameRequest& request, const std::vector<T>& all) const;
 
     bool on_ = false, complete_ = false;
     int x_ = 0, y_ = 0;
     int of_ = -1;                            ///< number of the picture that is magnified
-    std::size_t next_ = 0;                   ///< technique of the registry
     std::optional<FrameRenderer> renderer_;  ///< made when first needed
+    std::vector<std::unique_ptr<Technique>> others_;
+    std::size_t next_ = 0;  ///< of the others
+    std::unique_ptr<Oracle> oracle_;
+    std::vector<Sample> samples_;
     std::optional<gl::Texture> square_;
     std::vector<Row> rows_;
     std::string caption_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "chart/chart_layout.h"
+#include "techniques/registry.h"
 #include "window/accuracy.h"
 #include "window/display_texture.h"
 
@@ -21,7 +22,8 @@ bool onOneCurve(const ProbeSubject& a, const ProbeSubject& b) {
 std::string nameOf(const std::vector<std::vector<const ProbePoint*>>& curves, const ProbeSubject& subject) {
     int alike = 0;
     for (const auto& curve : curves) alike += curve.front()->subject.technique == subject.technique ? 1 : 0;
-    return alike == 0 ? subject.technique : fmt::format("{} ({})", subject.technique, alike + 1);
+    const std::string& title = techniqueDescription(subject.technique).shortTitle;
+    return alike == 0 ? title : fmt::format("{} ({})", title, alike + 1);
 }
 
 }  // namespace

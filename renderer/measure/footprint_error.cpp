@@ -12,6 +12,18 @@ std::size_t pixelsOf(const FramePlan& plan) { return std::size_t{plan.block.imag
 
 }  // namespace
 
+SampleFootprint footprintOf(const Footprint& footprint, SampleIndex sample, std::uint32_t triangle, float time,
+                            std::uint32_t stratum, std::uint32_t strata) {
+    SampleFootprint over{sample, triangle, 0.0f, 1.0f, SampleFootprint::Space::Point};
+    if (footprint.space == Footprint::Space::PixelSurface) over.space = SampleFootprint::Space::PixelSurface;
+    if (footprint.time == Footprint::Time::Instant) over.from = over.to = time;
+    if (footprint.time == Footprint::Time::Stratum) {
+        over.from = static_cast<float>(stratum) / static_cast<float>(strata);
+        over.to = std::min(1.0f, static_cast<float>(stratum + 1) / static_cast<float>(strata));
+    }
+    return over;
+}
+
 FootprintErrorSum::FootprintErrorSum(const Oracle& oracle, const FramePlan& plan, int renders,
                                      const Footprint& footprint, Options options)
     : oracle_(oracle),
@@ -28,37 +40,20 @@ void FootprintErrorSum::beginRender(const FramePlan& plan, int render) {
     render_ = static_cast<std::uint32_t>(render);
 }
 
-/// A filter is no part of the truth.
-bool FootprintErrorSum::isExact() const {
-    return footprint_.time == Footprint::Time::Instant && footprint_.space == Footprint::Space::Point;
-}
-
 bool FootprintErrorSum::isChosen(SampleIndex sample) const {
     const std::uint32_t lot = shared::hashWords({sample.x, sample.y, 0x5eedu + sample.stratum + render_}).y;
     return static_cast<double>(shared::unitInterval(lot)) < chosenShare_;
 }
 
-SampleFootprint FootprintErrorSum::over(SampleIndex sample, std::uint32_t triangle, float time) const {
-    SampleFootprint over{sample, triangle, 0.0f, 1.0f, SampleFootprint::Space::Point};
-    if (footprint_.space == Footprint::Space::PixelSurface) over.space = SampleFootprint::Space::PixelSurface;
-    if (footprint_.time == Footprint::Time::Instant) over.from = over.to = time;
-    if (footprint_.time == Footprint::Time::Stratum) {
-        // Renders at one instant each share the shutter as strata do.
-        const auto stratum = static_cast<float>(sample.stratum + render_);
-        over.from = stratum / static_cast<float>(strata_);
-        over.to = std::min(1.0f, (stratum + 1.0f) / static_cast<float>(strata_));
-    }
-    return over;
-}
-
 std::size_t FootprintErrorSum::pixelOf(SampleIndex sample) const { return sample.y * width_ + sample.x; }
 
 void FootprintErrorSum::add(SampleIndex sample, std::uint32_t triangle, const OracleAnswer& truth, float lit) {
-    if (isExact()) {
+    if (footprint_.isInstantAtPoint()) {
         const double less = static_cast<double>(lit) - (truth.lit ? 1.0 : 0.0);
         sum_.add(pixelOf(sample), less, less);
     } else if (isChosen(sample)) {
-        chosen_.push_back(over(sample, triangle, truth.time));
+        // Renders at one instant each share the shutter as strata do.
+        chosen_.push_back(footprintOf(footprint_, sample, triangle, truth.time, sample.stratum + render_, strata_));
         lit_.push_back(lit);
     }
 }
@@ -78,7 +73,7 @@ void FootprintErrorSum::finishRender() {
 }
 
 FootprintError FootprintErrorSum::result() const {
-    return {sum_.summary(), isExact() ? 0u : 2 * std::max(1u, options_.rays / 2)};
+    return {sum_.summary(), footprint_.isInstantAtPoint() ? 0u : 2 * std::max(1u, options_.rays / 2)};
 }
 
 }  // namespace timeshade

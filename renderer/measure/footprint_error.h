@@ -16,6 +16,11 @@ struct FootprintError {
     std::uint32_t rays = 0;  ///< of each mean, both halves together; 0 where the truth is exact
 };
 
+/// The domain of the true mean for a technique's value at a sample, which sees this triangle at this time, in the
+/// stratum of that number of so many.
+SampleFootprint footprintOf(const Footprint& footprint, SampleIndex sample, std::uint32_t triangle, float time,
+                            std::uint32_t stratum, std::uint32_t strata);
+
 /// Collects the samples of all renders of a frame. Where the footprint is an instant at a point, the truth is the
 /// oracle's exact value and every tested sample is compared. Else the truth is a mean of rays, in two independent
 /// halves, and samples are chosen by a hash of their place. A declared blur is no part of the truth.
@@ -41,9 +46,7 @@ class FootprintErrorSum {
     FootprintError result() const;
 
   private:
-    bool isExact() const;
     bool isChosen(SampleIndex sample) const;
-    SampleFootprint over(SampleIndex sample, std::uint32_t triangle, float time) const;
     std::size_t pixelOf(SampleIndex sample) const;
 
     const Oracle& oracle_;

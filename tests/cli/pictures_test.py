@@ -18,15 +18,18 @@ class Pictures(ProgramTest):
                 with self.subTest(scene=scene, technique=technique):
                     command = ("--technique", technique, "--context", "egl", *SMALL)
                     first = self.shot(scene, "first.png", *command)
-                    self.assertEqual(first, self.shot(scene, "again.png", *command), "the same command gave two pictures")
+                    self.assertEqual(first, self.shot(scene, "again.png", *command),
+                                     "the same command gave two pictures")
                     picture = pictures[scene, technique] = Picture(first)
                     self.assertEqual((picture.width, picture.height), (200, 150))
                     self.assertGreater(picture.mean(), 16.0, "as good as black")
                     self.assertLess(picture.mean(), 240.0, "as good as white")
                     for context in CONTEXTS[1:]:
-                        other = Picture(self.shot(scene, "other.png", "--technique", technique, *SMALL, "--context", context))
+                        other = Picture(self.shot(scene, "other.png", "--technique", technique, *SMALL,
+                                                  "--context", context))
                         # Two drivers may round a depth or a colour differently, next to an edge also a whole test.
-                        self.assertLessEqual(picture.share_of_pixels_off(other, 2), 1e-3, f"--context {context} differs")
+                        self.assertLessEqual(picture.share_of_pixels_off(other, 2), 1e-3,
+                                             f"--context {context} differs")
         for technique in TECHNIQUES:
             for a, b in (("chess", "octopus"), ("octopus", "pillars"), ("pillars", "chess")):
                 self.assertGreater(pictures[a, technique].share_of_pixels_off(pictures[b, technique], 8), 0.3, (a, b))
@@ -36,7 +39,8 @@ class Pictures(ProgramTest):
                 self.assertGreater(pictures[scene, a].share_of_pixels_off(pictures[scene, b], 2), 0.005, (scene, a, b))
 
     def test_the_size_of_the_promise(self):
-        data = self.shot("chess", "F.png", "--technique", "tsm", "--spp", "8", "--size", "640x480", "--map", "512", "--gl-debug")
+        data = self.shot("chess", "F.png", "--technique", "tsm", "--spp", "8", "--size", "640x480", "--map", "512",
+                         "--gl-debug")
         picture = Picture(data)
         self.assertEqual((picture.width, picture.height), (640, 480))
         self.assertGreater(picture.mean(), 16.0)
@@ -49,11 +53,13 @@ class Pictures(ProgramTest):
         plain = self.shot("pillars", "default.png", *SMALL, "--technique", "tsm")
         for setting in ("tsm.dynamic_bias=on", "tsm.bias=16", "tsm.slope_bias=8"):
             with self.subTest(setting=setting):
-                self.assertNotEqual(plain, self.shot("pillars", "F.png", *SMALL, "--technique", "tsm", "--set", setting))
+                self.assertNotEqual(plain, self.shot("pillars", "F.png", *SMALL, "--technique", "tsm",
+                                                     "--set", setting))
         plain = self.shot("pillars", "default.png", *SMALL, "--technique", "static")
         for radius in (1, 2, 3):
             with self.subTest(pcf_radius=radius):
-                soft = self.shot("pillars", "F.png", *SMALL, "--technique", "static", "--set", f"static.pcf_radius={radius}")
+                soft = self.shot("pillars", "F.png", *SMALL, "--technique", "static",
+                                 "--set", f"static.pcf_radius={radius}")
                 self.assertNotEqual(plain, soft)
 
     def test_what_changes_the_picture(self):
@@ -69,26 +75,32 @@ class Pictures(ProgramTest):
 
     def test_negative_and_fractional_frames(self):
         quick = ("--size", "96x72", "--spp", "1", "--map", "64")
-        self.assertNotEqual(self.shot("chess", "a.png", *quick, "--frame", "10"), self.shot("chess", "b.png", *quick, "--frame", "10.5"))
-        self.assertNotEqual(self.shot("pillars", "a.png", *quick, "--frame", "-3"), self.shot("pillars", "b.png", *quick, "--frame=-9"))
+        self.assertNotEqual(self.shot("chess", "a.png", *quick, "--frame", "10"),
+                            self.shot("chess", "b.png", *quick, "--frame", "10.5"))
+        self.assertNotEqual(self.shot("pillars", "a.png", *quick, "--frame", "-3"),
+                            self.shot("pillars", "b.png", *quick, "--frame=-9"))
 
     def test_a_history_is_drawn_first(self):
         """A picture depends on its frame alone, wherever the sequence begins; and it says what was drawn before it."""
-        quick = ("--technique", "history", "--spp", "1", "--size", "96x72", "--map", "128", "--set", "history.warm_up=3")
+        quick = ("--technique", "history", "--spp", "1", "--size", "96x72", "--map", "128",
+                 "--set", "history.warm_up=3")
         self.succeed("shot", "chess", "-o", "F.png", *quick, "--frame", "10", "--frames", "3")
         alone = self.shot("chess", "alone.png", *quick, "--frame", "12")
         self.assertEqual((self.folder / "F.0002.png").read_bytes(), alone)
         self.assertEqual(alone, self.shot("chess", "again.png", *quick, "--frame", "12"))
-        self.assertNotEqual(alone, self.shot("chess", "cold.png", *quick, "--frame", "12", "--set", "history.warm_up=0"))
+        self.assertNotEqual(alone, self.shot("chess", "cold.png", *quick, "--frame", "12",
+                                             "--set", "history.warm_up=0"))
         self.assertNotEqual(alone, self.shot("chess", "held.png", *quick, "--frame", "12", "--set", "history.hold=5"))
-        said = self.succeed("shot", "chess", "-o", "said.png", *quick, "--frame", "12", "--explain", "--json", "said.json")
+        said = self.succeed("shot", "chess", "-o", "said.png", *quick, "--frame", "12", "--explain",
+                            "--json", "said.json")
         self.assertIn("frames 9 to 11", said)
         manifest = json.loads((self.folder / "said.json").read_text())
         self.assertEqual(manifest["warm_up"], {"frames_before": 3, "times_held": 0})
 
     def test_time_is_a_frame_number(self):
         quick = ("--spp", "2", "--size", "96x72", "--map", "128", "--fps", "10")
-        self.assertEqual(self.shot("chess", "a.png", *quick, "--frame", "15"), self.shot("chess", "b.png", *quick, "--time", "1.5"))
+        self.assertEqual(self.shot("chess", "a.png", *quick, "--frame", "15"),
+                         self.shot("chess", "b.png", *quick, "--time", "1.5"))
 
     def test_extremes_of_size(self):
         for size in ("1x1", "1x200", "200x1", "3x5"):
@@ -100,7 +112,8 @@ class Pictures(ProgramTest):
         """A display that is named but not there makes no difference to headless work."""
         quick = ("--spp", "1", "--size", "64x48")
         plain = self.shot("chess", "a.png", *quick)
-        self.assertEqual(plain, self.shot("chess", "b.png", *quick, env=environment(DISPLAY=":99", WAYLAND_DISPLAY="wayland-99")))
+        self.assertEqual(plain, self.shot("chess", "b.png", *quick,
+                                          env=environment(DISPLAY=":99", WAYLAND_DISPLAY="wayland-99")))
 
 
 class TheReaderOfPictures(unittest.TestCase):
@@ -111,7 +124,8 @@ class TheReaderOfPictures(unittest.TestCase):
         def chunk(kind, body):
             return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
         header = struct.pack(">IIBBBBB", width, len(rows), 8, 2, 0, 0, 0)
-        return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"".join(rows))) + chunk(b"IEND", b"")
+        return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"".join(rows))) +
+                chunk(b"IEND", b""))
 
     def test_filters(self):
         """Two pixels a row, every row the same colours, each stored with another filter."""

@@ -17,7 +17,8 @@ class Convergence(ProgramTest):
         return {(name.strip('"'), int(frames)): float(percent) for name, frames, percent in rows}
 
     def test_variants_are_measured_frame_by_frame(self):
-        self.succeed("measure", "frusta", "--convergence", "1,4", "--techniques", f"{self.PUBLISHED},history", *self.COMMON)
+        self.succeed("measure", "frusta", "--convergence", "1,4", "--techniques", f"{self.PUBLISHED},history",
+                     *self.COMMON)
         wrong = self.wrong_pixels()
         self.assertEqual(len(wrong), 2 * 4)
         self.assertLess(wrong["history", 4], wrong["history", 1])
@@ -32,13 +33,15 @@ class Convergence(ProgramTest):
         self.assertEqual({name for name, _ in self.wrong_pixels()}, {"history", "history, after motion"})
 
     def test_what_is_drawn_once_is_refused(self):
-        self.refuse(2, ("--convergence", "tsm", "history"), "measure", "frusta", "--convergence", "1", "--techniques", "tsm", "-o", "F")
+        self.refuse(2, ("--convergence", "tsm", "history"), "measure", "frusta", "--convergence", "1",
+                    "--techniques", "tsm", "-o", "F")
 
 
 class Lists(ProgramTest):
     def test_text(self):
         text = self.succeed("list")
-        for word in (*SCENES, *COMPUTED, *TECHNIQUES, "tsm.bias", "cubes.count", "frusta.rows", "static.pcf_radius", "accumulation.renders", "texels", "renders"):
+        for word in (*SCENES, *COMPUTED, *TECHNIQUES, "tsm.bias", "cubes.count", "frusta.rows", "static.pcf_radius",
+                     "accumulation.renders", "texels", "renders"):
             self.assertIn(word, text)
 
     def test_json(self):
@@ -96,7 +99,8 @@ class Lists(ProgramTest):
                 name = f"{scene['name']}.{setting['key']}"
                 for limit, beyond in (("minimum", -1), ("maximum", 1)):
                     both[limit] += ["--set", f"{name}={setting[limit]}"]
-                    self.refuse(2, (name, "expected"), "shot", scene["name"], "-o", "F.png", "--set", f"{name}={setting[limit] + beyond}")
+                    self.refuse(2, (name, "expected"), "shot", scene["name"], "-o", "F.png",
+                                "--set", f"{name}={setting[limit] + beyond}")
             for limit, settings in both.items():
                 with self.subTest(scene=scene["name"], settings=limit):
                     self.shot(scene["name"], "F.png", *QUICK, *settings, "--gl-debug")
@@ -110,7 +114,8 @@ class Lists(ProgramTest):
                          {"count": 40, "speed": 2, "turn": 6, "seed": 1})
         (self.folder / "s.json").write_text('{"set": {"cubes.count": 40}}')
         self.assertEqual(self.shot("cubes", "file.png", *QUICK, "--settings", "s.json"), few)
-        self.assertEqual(self.shot("cubes", "again.png", *QUICK, "--settings", "s.json", "--set", "cubes.count=500"), usual)
+        self.assertEqual(self.shot("cubes", "again.png", *QUICK, "--settings", "s.json", "--set", "cubes.count=500"),
+                         usual)
         self.assertNotEqual(self.shot("cubes", "seed.png", *QUICK, "--set", "cubes.seed=2"), usual)
 
     def test_views_and_figures_of_a_technique(self):
@@ -124,13 +129,16 @@ class Lists(ProgramTest):
         text = self.succeed("shot", "cubes", "-o", "again.png", *arguments, "--explain")
         self.assertRegex(text, r"(?m)^counted +dynamic triangles: 480$")
         # The values themselves, not their colours: counts per sample, the same in all channels.
-        self.assertNotEqual(self.shot("cubes", "view.exr", *arguments, "--view", "candidates"), self.shot("cubes", "final.exr", *arguments))
-        self.refuse(2, ("--view candidates", "tsm", "none of its own"), "shot", "cubes", "-o", "F.png", "--view", "candidates",
+        self.assertNotEqual(self.shot("cubes", "view.exr", *arguments, "--view", "candidates"),
+                            self.shot("cubes", "final.exr", *arguments))
+        self.refuse(2, ("--view candidates", "tsm", "none of its own"), "shot", "cubes", "-o", "F.png",
+                    "--view", "candidates", leaves=self.files())
+        self.refuse(2, ("--view candidates", "pictures"), "verify", "cubes", *arguments, "--view", "candidates",
                     leaves=self.files())
-        self.refuse(2, ("--view candidates", "pictures"), "verify", "cubes", *arguments, "--view", "candidates", leaves=self.files())
 
     def test_the_camera_path(self):
-        still, path = (self.shot("frusta", f"{camera}.png", *QUICK, "--camera", camera, "--frame", 60) for camera in ("still", "path"))
+        still, path = (self.shot("frusta", f"{camera}.png", *QUICK, "--camera", camera, "--frame", 60)
+                       for camera in ("still", "path"))
         self.assertNotEqual(still, path)
         self.assertEqual(self.shot("frusta", "later.png", *QUICK, "--camera", "path", "--frame", 300), path)
 
@@ -151,8 +159,9 @@ class Lists(ProgramTest):
             self.assertIn(word, text)
         self.assertEqual(text, self.succeed("-h"))
         options = self.succeed("shot", "--help")
-        for word in ("--technique", "--spp", "--size", "--map", "--frame", "--time", "--fps", "--shutter", "--seed", "--context",
-                     "--set", "--settings", "--camera", "--clip", "--view", "--explain", "--json", "--device", "--output"):
+        for word in ("--technique", "--spp", "--size", "--map", "--frame", "--time", "--fps", "--shutter", "--seed",
+                     "--context", "--set", "--settings", "--camera", "--clip", "--view", "--explain", "--json",
+                     "--device", "--output"):
             self.assertIn(word, options)
 
     def manifest(self, *arguments):
@@ -177,17 +186,20 @@ class Plans(ProgramTest):
         self.assertRegex(self.explain("pillars"), r"(?m)^sample .* 0 of \d+ triangles move, the light moves")
         self.assertRegex(self.explain("chess", "--frame", "26"), r"(?m)^sample .*[1-9]\d* of \d+ triangles move")
         still = self.explain("chess", "--shutter", "0")
-        self.assertRegex(still, r"(?m)^sample .* 0 of \d+ triangles move, the light stands still, the camera stands still")
+        self.assertRegex(still, r"(?m)^sample .* 0 of \d+ triangles move, "
+                                r"the light stands still, the camera stands still")
 
 
 class Manifests(ProgramTest):
     def test_everything_that_the_frame_needs(self):
         for context in CONTEXTS:
-            self.succeed("shot", "octopus", "-o", "F.png", "--technique", "tsm", "--spp", "3", "--size", "65x33", "--map", "128",
-                         "--seed", "7", "--frame", "12", "--set", "tsm.bias=0.25", "--set", "tsm.dynamic_bias=on", "--json", "F.json",
+            self.succeed("shot", "octopus", "-o", "F.png", "--technique", "tsm", "--spp", "3", "--size", "65x33",
+                         "--map", "128", "--seed", "7", "--frame", "12", "--set", "tsm.bias=0.25",
+                         "--set", "tsm.dynamic_bias=on", "--json", "F.json",
                          "--context", context)
             report = json.loads((self.folder / "F.json").read_text(encoding="utf-8"))
-            wanted = {"scene": "octopus", "technique": "tsm", "spp": 3, "size": [65, 33], "map": 128, "seed": 7, "frame": 12.0}
+            wanted = {"scene": "octopus", "technique": "tsm", "spp": 3, "size": [65, 33], "map": 128, "seed": 7,
+                      "frame": 12.0}
             self.assertEqual({key: report[key] for key in wanted}, wanted)
             self.assertEqual(report["settings"]["bias"], 0.25)
             self.assertIs(report["settings"]["dynamic_bias"], True)
@@ -208,8 +220,8 @@ class Manifests(ProgramTest):
             self.assertGreaterEqual(sizes["technique"], 128 * 128 * 3 * (4 + 4))
 
     def test_a_report_repeats_its_frame(self):
-        first = self.shot("chess", "a.png", "--technique", "static", "--size", "96x72", "--spp", "2", "--map", "64", "--seed", "3",
-                          "--set", "static.pcf_radius=1", "--json", "a.json")
+        first = self.shot("chess", "a.png", "--technique", "static", "--size", "96x72", "--spp", "2", "--map", "64",
+                          "--seed", "3", "--set", "static.pcf_radius=1", "--json", "a.json")
         report = json.loads((self.folder / "a.json").read_text(encoding="utf-8"))
         settings = [f"--set={report['technique']}.{key}={value}".lower() for key, value in report["settings"].items()]
         again = self.shot(report["scene"], "b.png", "--technique", report["technique"], "--spp", report["spp"],
@@ -222,7 +234,8 @@ class Sequences(ProgramTest):
     def test_a_frame_of_a_sequence_is_the_frame_from_a_cold_start(self):
         for technique in TECHNIQUES:
             with self.subTest(technique=technique):
-                common = ("--technique", technique, "--size", "96x72", "--spp", "2", "--map", "64", "--set", "accumulation.renders=3")
+                common = ("--technique", technique, "--size", "96x72", "--spp", "2", "--map", "64",
+                          "--set", "accumulation.renders=3")
                 before = self.files()
                 self.succeed("shot", "chess", "-o", "F.png", *common, "--frame", "20", "--frames", "3")
                 names = sorted(set(self.files()) - set(before))
@@ -230,19 +243,22 @@ class Sequences(ProgramTest):
                 frames = [(self.folder / name).read_bytes() for name in names]
                 self.assertEqual(len(set(frames)), 3, "the scene stands still")
                 for i, frame in enumerate(frames):
-                    self.assertTrue(frame == self.shot("chess", "cold.png", *common, "--frame", 20 + i), f"frame {20 + i}")
+                    self.assertTrue(frame == self.shot("chess", "cold.png", *common, "--frame", 20 + i),
+                                    f"frame {20 + i}")
                 for path in self.folder.iterdir():
                     path.unlink()
 
     def test_pictures(self):
         text = self.succeed("pictures", "-o", "new/folder", *QUICK)
-        self.assertEqual([name for name in self.files() if name.endswith(".png")], [f"new/folder/{scene}.png" for scene in SCENES])
+        self.assertEqual([name for name in self.files() if name.endswith(".png")],
+                         [f"new/folder/{scene}.png" for scene in SCENES])
         for scene in SCENES:
             self.assertRegex(text, rf"(?m)^{scene} +[\d. ]+ /.*/new/folder/{scene}\.png$")
             picture = Picture((self.folder / "new" / "folder" / f"{scene}.png").read_bytes())
             self.assertEqual((picture.width, picture.height), (64, 48))
             # The same as one at a time.
-            self.assertTrue((self.folder / "new" / "folder" / f"{scene}.png").read_bytes() == self.shot(scene, "F.png", *QUICK))
+            self.assertTrue((self.folder / "new" / "folder" / f"{scene}.png").read_bytes() ==
+                            self.shot(scene, "F.png", *QUICK))
 
     def test_every_output_names_the_device(self):
         line = self.succeed("shot", "chess", "-o", "F.png", *QUICK)
@@ -252,10 +268,12 @@ class Sequences(ProgramTest):
 
 
 class SettingsFiles(ProgramTest):
-    FILE = {"technique": "tsm", "spp": 3, "size": "96x72", "map": 128, "seed": 9, "frame": 21, "shutter": 1.5, "camera": "knight",
-            "explain": False, "gl-debug": True, "set": {"tsm.bias": 2, "tsm.dynamic_bias": True, "static.bias": 3.5}}
-    OPTIONS = ("--technique", "tsm", "--spp", "3", "--size", "96x72", "--map", "128", "--seed", "9", "--frame", "21", "--shutter", "1.5",
-               "--camera", "knight", "--gl-debug", "--set", "tsm.bias=2", "--set", "tsm.dynamic_bias=on", "--set", "static.bias=3.5")
+    FILE = {"technique": "tsm", "spp": 3, "size": "96x72", "map": 128, "seed": 9, "frame": 21, "shutter": 1.5,
+            "camera": "knight", "explain": False, "gl-debug": True,
+            "set": {"tsm.bias": 2, "tsm.dynamic_bias": True, "static.bias": 3.5}}
+    OPTIONS = ("--technique", "tsm", "--spp", "3", "--size", "96x72", "--map", "128", "--seed", "9", "--frame", "21",
+               "--shutter", "1.5", "--camera", "knight", "--gl-debug", "--set", "tsm.bias=2",
+               "--set", "tsm.dynamic_bias=on", "--set", "static.bias=3.5")
 
     def write(self, name, content):
         (self.folder / name).write_text(json.dumps(content), encoding="utf-8")
@@ -282,7 +300,8 @@ class SettingsFiles(ProgramTest):
     def test_switches_and_negative_numbers(self):
         name = self.write("s.json", {"explain": True, "frame": -3, "size": "64x48", "spp": 1})
         self.assertIn("lookup", self.succeed("shot", "pillars", "-o", "F.png", "--settings", name))
-        self.assertEqual((self.folder / "F.png").read_bytes(), self.shot("pillars", "G.png", "--frame", "-3", "--size", "64x48", "--spp", "1"))
+        self.assertEqual((self.folder / "F.png").read_bytes(),
+                         self.shot("pillars", "G.png", "--frame", "-3", "--size", "64x48", "--spp", "1"))
 
 
 if __name__ == "__main__":

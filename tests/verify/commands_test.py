@@ -117,7 +117,8 @@ class Measure(unittest.TestCase):
                 rows = list(csv.DictReader(stream))
             # Embree caches nothing.
             self.assertEqual([(r["technique"], r["spp"], r["state"]) for r in rows],
-                             [(t, s, state) for t in ("static", "tsm") for s in ("1", "2") for state in ("cold", "steady")] +
+                             [(t, s, state) for t in ("static", "tsm") for s in ("1", "2")
+                              for state in ("cold", "steady")] +
                              [("embree", s, "cold") for s in ("1", "2")])
             for row in rows:
                 self.assertGreater(float(row["total_ms"]), 0)
@@ -151,7 +152,8 @@ class Measure(unittest.TestCase):
             with open(os.path.join(folder, "accuracy.csv"), newline="", encoding="utf-8") as stream:
                 rows = list(csv.DictReader(stream))
             self.assertEqual([(r["scene"], r["varied"], r["value"], r["technique"], r["spp"]) for r in rows],
-                             [("cubes", "cubes.count", v, t, "2") for v in ("20", "60") for t in ("tsm", "tsm:bias=4") for _ in ("cold", "steady")])
+                             [("cubes", "cubes.count", v, t, "2") for v in ("20", "60")
+                              for t in ("tsm", "tsm:bias=4") for _ in ("cold", "steady")])
             self.assertEqual(rows[0]["rmse"], rows[1]["rmse"], "a state decides the times alone")
             self.assertNotEqual(rows[0]["rmse"], rows[2]["rmse"])
             for name in ("cubes-time.png", "cubes-memory.png", "cubes-disagreement.png"):

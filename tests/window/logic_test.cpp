@@ -17,6 +17,7 @@
 #include "window/orbit_camera.h"
 #include "window/playback.h"
 #include "window/preview_quality.h"
+#include "window/probe_bars.h"
 #include "window/window_memory.h"
 
 namespace timeshade {
@@ -279,6 +280,46 @@ TEST(TechniquePages, AreThere) {
         bytes += std::filesystem::file_size(file);
     }
     EXPECT_LT(bytes, 400'000u) << "they are small";
+}
+
+std::vector<float> sidesOf(const ProbeBar& bar) { return {bar.left, bar.right, bar.top, bar.bottom, bar.grey}; }
+
+TEST(ProbeBars, AreAsWideAsTheIntervalsOfTheirValues) {
+    // Instants, one of them at the closing of the shutter and one without a value; then strata; then the shutter.
+    const std::vector<ProbeBar> instants = barsOf(
+        {{0.25f, 0.25f, 1.0f, 0.0f}, {0.5f, 0.5f, -1.0f, -1.0f}, {1.0f, 1.0f, 0.0f, 1.0f}}, &ProbeValue::lit, 0.125f);
+    ASSERT_EQ(instants.size(), 2u);
+    EXPECT_EQ(sidesOf(instants[0]), (std::vector<float>{0.1875f, 0.3125f, 0.0f, 1.0f, 1.0f}));
+    EXPECT_EQ(sidesOf(instants[1]), (std::vector<float>{0.875f, 1.0f, 0.0f, 1.0f, 0.0f})) << "stays in the strip";
+    const std::vector<ProbeBar> strata =
+        barsOf({{0.0f, 0.5f, 0.25f, 0.5f}, {0.5f, 1.0f, 0.75f, 1.0f}}, &ProbeValue::truth, 0.125f);
+    ASSERT_EQ(strata.size(), 2u);
+    EXPECT_EQ(sidesOf(strata[0]), (std::vector<float>{0.0f, 0.5f, 0.0f, 1.0f, 0.5f}));
+    EXPECT_EQ(sidesOf(strata[1]), (std::vector<float>{0.5f, 1.0f, 0.0f, 1.0f, 1.0f}));
+    const std::vector<ProbeBar> shutter = barsOf({{0.0f, 1.0f, 0.25f, 0.5f}}, &ProbeValue::lit, 0.125f);
+    ASSERT_EQ(shutter.size(), 1u);
+    EXPECT_EQ(sidesOf(shutter[0]), (std::vector<float>{0.0f, 1.0f, 0.0f, 1.0f, 0.25f}));
+}
+
+TEST(ProbeBars, ShareTheHeightWhereTheirIntervalIsTheSame) {
+    const std::vector<ProbeValue> values{
+        {0.0f, 1.0f, 0.25f, 0.5f}, {0.0f, 1.0f, -1.0f, -1.0f}, {0.0f, 1.0f, 0.75f, 0.125f}};
+    const std::vector<ProbeBar> lit = barsOf(values, &ProbeValue::lit, 0.125f);
+    ASSERT_EQ(lit.size(), 2u);
+    EXPECT_EQ(sidesOf(lit[0]), (std::vector<float>{0.0f, 1.0f, 0.0f, 0.5f, 0.75f}));
+    EXPECT_EQ(sidesOf(lit[1]), (std::vector<float>{0.0f, 1.0f, 0.5f, 1.0f, 0.25f}));
+    const std::vector<ProbeBar> truth = barsOf(values, &ProbeValue::truth, 0.125f);
+    ASSERT_EQ(truth.size(), 2u);
+    EXPECT_EQ(truth[0].grey, 0.125f) << "in the order of the values above";
+    EXPECT_EQ(truth[1].grey, 0.5f);
+}
+
+TEST(ProbeBars, LeaveATruthThatIsNotThereEmpty) {
+    const std::vector<ProbeValue> values{{0.0f, 1.0f, 0.75f, -1.0f}, {0.0f, 1.0f, 0.25f, 1.0f}};
+    const std::vector<ProbeBar> truth = barsOf(values, &ProbeValue::truth, 0.125f);
+    ASSERT_EQ(truth.size(), 1u);
+    EXPECT_EQ(sidesOf(truth[0]), (std::vector<float>{0.0f, 1.0f, 0.5f, 1.0f, 1.0f}));
+    EXPECT_TRUE(barsOf({}, &ProbeValue::lit, 0.125f).empty());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@ import pathlib
 import re
 import shutil
 import tempfile
+import time
 
 from desk import PANEL_WIDTH, QUICK, WindowTest, headless, pixels, run_tests
 
@@ -81,7 +82,7 @@ class Compared(WindowTest):
         dump = window.wait(lambda d: "ppm" in d["state"].get("compare.first", "")
                            and "ppm" in d["state"].get("compare.second", ""), "both errors", 90)
         self.assertRegex(dump["state"]["compare.first"],
-                         r"^tsm, 2 spp, [0-9.e+]+ ms, wrong shadow samples [0-9,]+ ppm$")
+                         r"^TSM, 2 spp, [0-9.e+]+ ms, wrong shadow samples [0-9,]+ ppm$")
         error = [float(dump["state"][f"compare.{name}"].split("samples ")[1].split(" ppm")[0].replace(",", ""))
                  for name in ("first", "second")]
         self.assertGreater(error[0], 1.5 * error[1], "what is wrong with tsm here")
@@ -158,23 +159,74 @@ class Pages(WindowTest):
 
 
 class Magnifier(WindowTest):
-    def test_the_samples_of_one_pixel(self):
-        window = self.open("pillars", "--technique", "tsm", *QUICK, "--spp", "8", "--size", "700x450")
+    def magnified(self, window, x, y):
+        """The magnifier's rows at a place of the picture, and how they look. Of each sample [from, to, lit, truth]."""
         state = window.settle()["state"]
         (width, height), (whole, _) = state["drawn"], state["window"]
-        window.point(whole - width + width * 0.4, height * 0.75)
+        window.point(whole - width + width * x, height * y)
         window.key("m")
-        dump = window.wait(lambda d: d["state"]["probe"] == [True, True] and "probe.truth" in d["widgets"],
-                           "all answers", 90)
-        rows = {name.split(".", 1)[1]: widget["value"] for name, widget in dump["widgets"].items()
-                if name.startswith("probe.")}
-        self.assertLessEqual({"truth", "tsm", "exact", "static"}, set(rows))
+        dump = window.wait(lambda d: d["state"]["probe"] == [True, True], "all values", 90)
+        last = None
+        while dump["widgets"] != last:  # it takes its size and place a frame after its contents
+            last = dump["widgets"]
+            time.sleep(1.0)
+            dump = window.dump()
+        rows = {name.split(".", 1)[1]: widget for name, widget in dump["widgets"].items() if name.startswith("probe.")}
         self.assertGreaterEqual(len(rows), 6)
-        self.assertEqual({len(row) for row in rows.values()}, {8})
-        self.assertEqual(rows["exact"], rows["truth"], "exact is the ray tracer's equal")
-        self.assertTrue(any(value >= 0 for value in rows["truth"]), rows)
+        seen = window.look()
+        for name, row in rows.items():
+            with self.subTest(name):
+                self.assert_drawn(seen, row["rect"], row["value"])
+        return {name: row["value"] for name, row in rows.items()}
+
+    def assert_drawn(self, seen, rect, values):
+        """Marks at instants and bars over intervals, each as grey as its value, above those of the truth."""
+        values = [value for value in values if value[2] >= 0]
+        x0, y0, x1, _ = rect
+        for which, top, height in ((2, y0, 11), (3, y0 + 12, 5)):
+            for value in values:
+                of_interval = sorted((v for v in values if v[:2] == value[:2]), key=lambda v: (-v[2], -v[3]))
+                begin, end = (x0 + share * (x1 - x0) for share in value[:2])
+                if begin == end:
+                    others = [x0 + v[0] * (x1 - x0) for v in values if v is not value]
+                    if any(abs(other - begin) < 8 for other in others):
+                        continue  # one mark hides a part of the other
+                    begin, end = max(begin - 2, x0), min(begin + 2, x1)
+                for row in range(height):
+                    shown = of_interval[int((row + 0.5) * len(of_interval) / height)][which]
+                    line = seen.crop(int(begin), top + row, max(int(end) - 1, int(begin) + 1), top + row + 1).grey()
+                    self.assertLessEqual(max(abs(grey - 255 * shown) for grey in line), 1, (value, row, line))
+
+    def test_the_samples_of_one_pixel(self):
+        window = self.open("pillars", "--technique", "tsm", *QUICK, "--spp", "8", "--size", "700x450")
+        rows = self.magnified(window, 0.4, 0.75)
+        self.assertLessEqual({"tsm", "exact", "static"}, set(rows))
+        self.assertEqual({len(values) for values in rows.values()}, {8})
+        truth = [value[3] for value in rows["exact"]]
+        self.assertEqual([value[2] for value in rows["exact"]], truth, "exact is the ray tracer's equal")
+        self.assertTrue(any(value >= 0 for value in truth), rows)
+        # At their own times, one in each stratum; the truth is a property of the samples alone.
+        for name in ("tsm", "exact", "static"):
+            self.assertEqual([int(8 * value[0]) for value in rows[name]], list(range(8)))
+            self.assertEqual([value[0] for value in rows[name]], [value[1] for value in rows[name]])
+            self.assertEqual([value[3] for value in rows[name]], truth)
         window.key("m")
         window.wait_state(probe=[False, False])
+        self.close(window)
+
+    def test_values_between_lit_and_shadowed(self):
+        """Blurred over the map, and averaged over the whole shutter."""
+        window = self.open("pillars", "--technique", "static", "--set", "static.pcf_radius=2", *QUICK, "--spp", "8",
+                           "--frame", "12")
+        rows = self.magnified(window, 0.5, 0.62)
+        blurred = rows["static"]
+        self.assertTrue(any(0.1 < lit < 0.9 for _, _, lit, _ in blurred), blurred)
+        self.assertLessEqual({truth for _, _, _, truth in blurred}, {0, 1}, "a blur is no part of the truth")
+        averaging = [values for values in rows.values() if values[0][:2] == [0, 1]]
+        self.assertTrue(averaging, rows)
+        for values in averaging:
+            self.assertEqual({tuple(value[:2]) for value in values}, {(0, 1)})
+            self.assertTrue(any(0.1 < truth < 0.9 for _, _, _, truth in values), values)
         self.close(window)
 
 
@@ -237,9 +289,9 @@ class Accuracy(WindowTest):
         self.assertGreater(dump["state"]["accuracy"]["points"], 1)
         # How long things take is the machine's affair: a busy one may find that no sample count takes as long.
         said = dump["state"]["accuracy"]["said"]
-        self.assertIn("static at", said)
+        self.assertIn("Static map at", said)
         if not said.startswith("Out of range"):
-            samples = int(said.split("static at ")[1].split(" spp")[0])
+            samples = int(said.split("Static map at ")[1].split(" spp")[0])
             window.settle(technique="static")
             self.assertEqual(window.widget("spp")["value"], samples)
         # The two views that compare, each with its legend.
