@@ -117,12 +117,12 @@ class Model {
         for (int k = 0; k < stepsInAll(); ++k) {
             const double u = timeOf(k);
             const std::optional<double> own = stated_.prediction->lit(receiver, u);
-            lit.push_back(litAt(receiver, u));
+            lit.push_back(own ? *own : litAt(receiver, u));
             instants = instants && !own;
             if (isSeen(k) && traits_.texelCentres && !case_.fleeting)
                 ambiguous += isAmbiguous(receiver, u) ? 1.0 / stepsSeen_ : 0.0;
         }
-        
+        if (instants) averageOverFootprint(lit);
         for (int k = 0; k < stepsInAll(); ++k)
             if (isSeen(k)) e.litOfStratum[stratumOf(k)] += lit[static_cast<std::size_t>(k)];
     }

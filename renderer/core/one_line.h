@@ -5,9 +5,9 @@
 
 namespace timeshade {
 
-/// Makes untrusted text (names in files) fit for a message of one line: control characters, and those that turn the direction of
-/// writing, become spaces, and text
-/// longer than `limit` bytes is cut, never inside a UTF-8 sequence, and ends in "...".
+/// Makes untrusted text (names in files) fit for a message of one line: control characters, and those that turn the
+/// direction of writing, become spaces, and text longer than `limit` bytes is cut, never inside a UTF-8 sequence, and
+/// ends in "...".
 std::string oneLine(std::string_view text, std::size_t limit = 60);
 
 }  // namespace timeshade

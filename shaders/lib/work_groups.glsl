@@ -1,5 +1,5 @@
-// Numbers of work groups and invocations over all rows of a dispatch (renderer/gl/dispatch.h), from 0. There may be more
-// than were asked for. To be included after the local size.
+// Numbers of work groups and invocations over all rows of a dispatch (renderer/gl/dispatch.h), from 0. There may be
+// more than were asked for. To be included after the local size.
 
 uint groupIndex() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 uint groupCount() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }

@@ -48,7 +48,7 @@ struct FrameBlock {
     // normalised.
     vec4 lightDirection;
     vec4 lightDirectionClose;  // xyz at u = 1
-    vec4 lightIntensity;  // rgb: candela or lux, times exposure
+    vec4 lightIntensity;       // rgb: candela or lux, times exposure
     vec4 lightCone;   // x: cos outer, y: cos inner, z: 1 / (cos inner - cos outer), w: texel width (per distance for a
                       // spot)
     vec4 ambientSky;  // rgb: radiance from above, exposed

@@ -7,9 +7,9 @@ SHARED_BEGIN
 
 /// How near the plane of a caster may pass a receiver and still not shadow it, in world units: a bound on the rounding
 /// of the receiver's own position, and no share of the way to the light, so that far lights and large grounds lose no
-/// shadows (docs/numerics.md, "Definition of shadow"). 2^-21 of the largest coordinate of the receiver's triangle, whose
-/// vertices at its time are given: a point that is their weighted sum in floats lies within 5 * 2^-24 of that of where
-/// it should, and a caster's vertex that was rounded once within 2^-24.
+/// shadows (docs/numerics.md, "Definition of shadow"). 2^-21 of the largest coordinate of the receiver's triangle,
+/// whose vertices at its time are given: a point that is their weighted sum in floats lies within 5 * 2^-24 of that of
+/// where it should, and a caster's vertex that was rounded once within 2^-24.
 SHARED_FUNCTION float receiverClearance(vec3 v0, vec3 v1, vec3 v2) {
     vec3 a = abs(v0), b = abs(v1), c = abs(v2);
     float largest = max(max(max(a.x, a.y), max(a.z, b.x)), max(max(b.y, b.z), max(c.x, max(c.y, c.z))));

@@ -90,8 +90,8 @@ class Targets(ProgramTest):
 class Streams(ProgramTest):
     def test_a_full_or_closed_standard_error_changes_nothing(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
-            for arguments, code in ((("shot", "nonsense", "-o", "F.png"), 2), (("shot", "missing.glb", "-o", "F.png"), 1),
-                                    (SHOT, 0)):
+            for arguments, code in ((("shot", "nonsense", "-o", "F.png"), 2),
+                                    (("shot", "missing.glb", "-o", "F.png"), 1), (SHOT, 0)):
                 done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, env=environment(), stderr=full,
                                       stdout=subprocess.DEVNULL, check=False)
                 self.assertEqual(done.returncode, code)

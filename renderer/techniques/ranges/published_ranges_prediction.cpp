@@ -62,7 +62,7 @@ class PrismPoints {
     /// By depth; of equal depths (in floats, as a fragment has them) caps are first, then by time.
     std::vector<PrismPoint> sorted() {
         const auto key = [](const PrismPoint& p) {
-            return std::tuple(0.0f, false, p.time);
+            return std::tuple(-static_cast<float>(p.inverseDistance()), !p.isCap(), p.time);
         };
         std::sort(points_.begin(), points_.end(),
                   [&](const PrismPoint& a, const PrismPoint& b) { return key(a) < key(b); });

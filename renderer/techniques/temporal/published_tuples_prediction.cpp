@@ -43,7 +43,7 @@ std::optional<double> PublishedTuplesPrediction::casterDistance(const ReceiverIn
     }
     if (!(first.time <= u && u <= last.time)) return std::nullopt;
     const double length = last.time - first.time, share = length > 0.0 ? (u - first.time) / length : 0.0;
-    return glm::mix(1.0 / first.inverseDistance, 1.0 / last.inverseDistance, share);
+    return 1.0 / glm::mix(first.inverseDistance, last.inverseDistance, share);
 }
 
 }  // namespace timeshade
