@@ -62,6 +62,9 @@ bool edgeIsWithinItsBound(AwkwardNumbers& numbers) {
            std::abs(static_cast<double>(side) - truth.value) <= truth.error;
 }
 
+/// Of every receiver here, in world units: more than the rounding of coordinates of ten.
+constexpr float clearance = 1e-5f;
+
 /// Whether the header's error bound allows either result.
 bool segmentIsOpen(const SegmentAndTriangle& s) {
     const dvec3 l(s.toLight), v0(s.v[0]), v1(s.v[1]), v2(s.v[2]);
@@ -74,13 +77,13 @@ bool segmentIsOpen(const SegmentAndTriangle& s) {
                  throughError = std::ldexp(glm::dot(sizes, glm::abs(l)), -20);
     return std::abs(through) <= throughError + 1e-30 ||
            std::abs(std::abs(plane) - std::abs(through)) <= planeError + throughError + 1e-30 ||
-           std::abs(std::abs(plane) - 1e-5 * std::abs(through)) <= planeError + 1e-5 * throughError + 1e-30;
+           std::abs(std::abs(plane) - static_cast<double>(clearance) * glm::length(n)) <= planeError + 1e-30;
 }
 
 bool segmentDecidesAsExactArithmetic(const SegmentAndTriangle& s) {
-    const oracle::Segment segment{dvec3(0.0), dvec3(s.toLight), 1e-5, 1.0, HUGE_VAL};
+    const oracle::Segment segment{dvec3(0.0), dvec3(s.toLight), 0.0, 1.0, HUGE_VAL, static_cast<double>(clearance)};
     const dvec3 vertices[3] = {dvec3(s.v[0]), dvec3(s.v[1]), dvec3(s.v[2])};
-    const bool hit = shared::segmentMeetsTriangle(s.toLight, s.v[0], s.v[1], s.v[2], 0.0f);
+    const bool hit = shared::segmentMeetsTriangle(s.toLight, s.v[0], s.v[1], s.v[2], clearance);
     return hit == oracle::meet(segment, vertices).hit || segmentIsOpen(s);
 }
 
@@ -92,7 +95,7 @@ bool latticeIsDecidedExactly(AwkwardNumbers& numbers) {
         return vec3(x, y, z);
     };
     const vec3 l = point(), a = point(), b = point(), c = point();
-    const oracle::Segment segment{dvec3(0.0), dvec3(l), 1e-5, 1.0, HUGE_VAL};
+    const oracle::Segment segment{dvec3(0.0), dvec3(l), 0.0, 1.0, HUGE_VAL};
     const dvec3 vertices[3] = {dvec3(a), dvec3(b), dvec3(c)};
     return shared::segmentMeetsTriangle(l, a, b, c, 0.0f) == oracle::meet(segment, vertices).hit;
 }
