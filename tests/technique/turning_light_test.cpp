@@ -76,16 +76,17 @@ class TurningLight : public Scene {
 /// Mean light of each pixel over all strata, 0 where nothing was tested as well as where nothing is lit.
 class Means {
   public:
-    void add(const std::vector<float>& lit) {
+    /// A picture of visibility, which is the mean over its samples and renders.
+    void add(const LinearImage& picture) {
         sum_.resize(std::size_t(width) * height);
-        for (std::size_t i = 0; i < lit.size(); ++i) sum_[i % sum_.size()] += static_cast<double>(lit[i]);
-        samples_ += static_cast<double>(lit.size()) / static_cast<double>(sum_.size());
+        for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += static_cast<double>(picture.rgb[3 * i]);
+        ++pictures_;
     }
-    double of(std::size_t pixel) const { return sum_[pixel] / samples_; }
+    double of(std::size_t pixel) const { return sum_[pixel] / pictures_; }
 
   private:
     std::vector<double> sum_;
-    double samples_ = 0.0;
+    int pictures_ = 0;
 };
 
 FrameRequest requestOf(int samples, int map, std::uint32_t seed) {
@@ -102,7 +103,7 @@ Means composed(const Scene& scene, int instants) {
         request.shutter.length = 0.0;
         request.frame = (k + 0.5) / instants;
         renderer.draw(planner.plan(request), truth, View::Visibility);
-        means.add(renderer.readVisibility());
+        means.add(renderer.readRadiance());
     }
     return means;
 }
@@ -120,7 +121,7 @@ Means drawn(const Scene& scene, const std::string& technique, int frames) {
     Means means;
     for (int k = 0; k < frames; ++k) {
         renderer.draw(planner.plan(requestOf(32, 1024, 50u + static_cast<std::uint32_t>(k))), *made, View::Visibility);
-        means.add(renderer.readVisibility());
+        means.add(renderer.readRadiance());
     }
     return means;
 }
