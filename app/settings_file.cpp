@@ -45,6 +45,7 @@ constexpr std::array allowedKeys{"scene",       "size",
                                  "sequence",    "reference",
                                  "vary",        "reference-rays",
                                  "convergence", "effects",
+                                 "explain",     "gl-debug",
                                  "max-ppm",     "history-frames",
                                  "set"};
 

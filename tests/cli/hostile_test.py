@@ -18,7 +18,7 @@ SHOT = ("shot", "chess", "-o", "F.png", *QUICK)
 
 class SettingsFiles(ProgramTest):
     def test_they_describe_a_picture_and_never_a_place(self):
-        for key in ("json", "output", "o", "dump", "device", "context", "settings", "script", "gl-debug", "explain"):
+        for key in ("json", "output", "o", "dump", "device", "context", "settings", "script"):
             with self.subTest(key=key):
                 (self.folder / "s.json").write_text(f'{{\n "spp": 2,\n "{key}": "somewhere"}}')
                 self.refuse(1, (f"s.json:3: \"{key}\"", "expected"), *SHOT, "--settings", "s.json", leaves=("s.json",))

@@ -33,9 +33,9 @@ glm::dmat3 turnedBy(const glm::dmat3& axes, const glm::dvec3& about, double angl
 /// Posts and a board over a ground, as they are or in motion; all else is the procedural scene's.
 class TurningLight : public Scene {
   public:
-    TurningLight(LightKind kind, glm::dvec3 about, double degrees, bool castersMove)
+    TurningLight(LightKind kind, glm::dvec3 about, double degrees, bool castersMove, double speed = 1.0)
         : about_(about), degrees_(degrees) {
-        const glm::dvec3 move = castersMove ? glm::dvec3(0.7, -0.5, 0.4) : glm::dvec3(0.0);
+        const glm::dvec3 move = castersMove ? glm::dvec3(0.7, -0.5, 0.4 * speed) : glm::dvec3(0.0);
         scene_.quads.push_back(slidingQuad({0, 0, 0}, {0, 0, 0}, 7.0, -7.0, 7.0));
         scene_.quads.push_back(
             slidingQuad(glm::dvec3(0.3, 0.2, 1.6), glm::dvec3(0.3, 0.2, 1.6) + move, 0.8, -0.5, 0.5));
@@ -132,6 +132,7 @@ struct Setting {
     glm::dvec3 about;
     double degrees;
     bool castersMove;
+    double speed = 1.0;  ///< of casters, upwards
 };
 
 void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; }
@@ -139,17 +140,19 @@ void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; 
 class LightTurns : public testing::TestWithParam<Setting> {
   protected:
     TurningLight scene() const {
-        return {GetParam().kind, GetParam().about, GetParam().degrees, GetParam().castersMove};
+        return {GetParam().kind, GetParam().about, GetParam().degrees, GetParam().castersMove, GetParam().speed};
     }
 };
 
 TEST_P(LightTurns, IsTheMeanOfItsInstants) {
     const TurningLight turning = scene();
     const Means truth = composed(turning, 1024);
-    const TurningLight still(GetParam().kind, GetParam().about, 0.0, GetParam().castersMove);
+    const TurningLight still(GetParam().kind, GetParam().about, 0.0, GetParam().castersMove, GetParam().speed);
     const double without = rmsOf(drawn(still, "exact", 2), truth);
     for (const TechniqueDescription& technique : techniqueDescriptions()) {
         if (statementOf(*makeTechnique(technique.name, sharedRenderer().programs())).isOfOneInstant()) continue;
+        // Maps over time take bent paths as straight, and the plan says so.
+        if (GetParam().speed > 1.0 && technique.name != "exact") continue;
         const double error = rmsOf(drawn(turning, technique.name, 3), truth);
         RecordProperty(technique.name, std::to_string(error));
         EXPECT_LT(error, technique.name == "exact" ? 0.022 : 0.035)
@@ -162,6 +165,9 @@ TEST_P(LightTurns, ExactAgreesWithTheOracle) {
     const TurningLight turning = scene();
     FrameRenderer& renderer = sharedRenderer();
     const std::unique_ptr<Technique> exact = makeTechnique("exact", renderer.programs());
+    // One interval and many cells: where a path bends most, compared to what a list is for.
+    setFromText(*exact, "buckets", "1");
+    setFromText(*exact, "side", "256");
     FramePlanner planner(turning);
     std::size_t tested = 0, wrong = 0;
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
@@ -179,6 +185,7 @@ INSTANTIATE_TEST_SUITE_P(
     Lights, LightTurns,
     testing::Values(Setting{"sun", LightKind::Directional, {0.3, 1.0, 0.0}, 24.0, false},
                     Setting{"sun_aslant", LightKind::Directional, {1.0, -0.4, 0.9}, 30.0, false},
+                    Setting{"sun_over_fast_casters", LightKind::Directional, {0.8, 0.6, 0.1}, 60.0, true, 6.0},
                     Setting{"sun_over_moving_casters", LightKind::Directional, {0.8, 0.6, 0.1}, 20.0, true},
                     Setting{"spot", LightKind::Spot, {0.2, 1.0, 0.0}, 30.0, false},
                     Setting{"spot_over_moving_casters", LightKind::Spot, {1.0, 0.3, 0.2}, 20.0, true}),
