@@ -31,14 +31,7 @@ class Stream {
     Stream(const Stream&) = delete;
     Stream& operator=(const Stream&) = delete;
 
-    void write(std::span<const char> bytes) const {
-        while (!bytes.empty()) {
-            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-            if (written < 0 && errno == EINTR) continue;
-            if (written <= 0) failWriting(path_, written < 0 ? errno : ENOSPC);
-            bytes = bytes.subspan(static_cast<std::size_t>(written));
-        }
-    }
+    void write(std::span<const char> bytes) const { writeAll(path_, descriptor_, bytes); }
     void close() {
         if (::close(std::exchange(descriptor_, -1)) != 0) failWriting(path_, errno);
     }

@@ -129,14 +129,16 @@ void PartFile::removeLeftovers() const {
     ::closedir(folder);
 }
 
-void PartFile::write(std::span<const char> bytes) {
+void writeAll(const fs::path& path, int descriptor, std::span<const char> bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) failWriting(path_, written < 0 ? errno : ENOSPC);
+        if (written <= 0) failWriting(path, written < 0 ? errno : ENOSPC);
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
 }
+
+void PartFile::write(std::span<const char> bytes) { writeAll(path_, descriptor_, bytes); }
 
 void PartFile::renameOntoTarget() {
     if (mode_ && ::fchmod(descriptor_, *mode_) != 0) failWriting(path_, errno);

@@ -47,6 +47,9 @@ enum class TargetKind { Nothing, File, Stream };
 /// for links of others. A stream (device, pipe) is written to and never replaced.
 TargetKind kindOfTarget(const std::filesystem::path& path);
 
+/// Writes all of the bytes to an open file. Throws Error that names `path`, which is what the user wrote.
+void writeAll(const std::filesystem::path& path, int descriptor, std::span<const char> bytes);
+
 /// The path with links followed as PartFile follows them.
 std::filesystem::path followOwnLinks(const std::filesystem::path& path);
 
