@@ -58,7 +58,7 @@ std::string head(const MeasureOptions& options, const gl::DeviceInfo& device) {
         "Share of pixels that differ by more than 30 of 255 from the picture with ray-traced hard shadows, after so "
         "many frames of a moment that is held, from an empty history or, after motion, from one that was filled while "
         "the camera turned by a tenth of a degree per frame.\n",
-        deviceLine(device), options.width, options.height, options.mapSize, options.samplesPerPixel);
+        deviceLine(device), options.width, options.height, options.mapSize.text(), options.samplesPerPixel);
 }
 
 /// Measures one scene and writes its table, chart and details; what the report says of it.

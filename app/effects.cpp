@@ -63,7 +63,7 @@ int runEffects(const MeasureOptions& options) {
         "# What each effect costs\n\n{}. {} x {}, {} samples per pixel, shadow map {}. Medians over {} steady frames "
         "in "
         "a row, in ms; programs are compiled before.\n\n",
-        deviceLine(gl::currentDevice()), options.width, options.height, options.samplesPerPixel, options.mapSize,
+        deviceLine(gl::currentDevice()), options.width, options.height, options.samplesPerPixel, options.mapSize.text(),
         options.rounds);
     writeFileAtomically(folder / "effects.md", head + report);
     writeFileAtomically(folder / "effects.json", json.dump(2) + "\n");

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "frame/warm_up.h"
+#include "measure/map_size_json.h"
 
 namespace timeshade {
 
@@ -95,7 +96,7 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
             {{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}, {"warning", figure.warning}});
     json["spp"] = request.samplesPerPixel;
     json["size"] = {request.width, request.height};
-    json["map"] = request.mapSize;
+    json["map"] = asJson(request.mapSize);
     json["seed"] = request.seed;
     json["frame"] = request.frame;
     if (request.forceDynamic) json["force_dynamic"] = true;

@@ -144,7 +144,7 @@ int runPictures(const PicturesOptions& options) {
     FrameRenderer renderer;
     fmt::print("{} through {}\n{} at {} x {}, {} samples per pixel, map {}\n\n", deviceLine(renderer.device()),
                opengl.backEnd(), options.technique, options.width, options.height, options.samplesPerPixel,
-               options.mapSize);
+               options.mapSize.text());
     printTimesHeader();
     for (const std::string& name : showcase()) {
         const std::filesystem::path path = folder / (name + ".png");

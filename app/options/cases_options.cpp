@@ -13,7 +13,7 @@ void addCasesCommand(CLI::App& app, Command& command) {
     cases->add_option("--technique,--techniques", options.measuredTechniques, "names, as in static,tsm (default: all)")
         ->delimiter(',');
     declareSamples(*cases, options.samplesPerPixel);
-    declareMapSize(*cases, options.mapSize, "shadow map size: texels along a side (default: 512)");
+    declareMapSize(*cases, options.mapSize, "shadow map size: texels along a side, or WIDTHxHEIGHT (default: 512)");
     declareContext(*cases, options);
     declareSettings(*cases, options.settings, "TECHNIQUE.KEY=VALUE, repeatable (list shows the keys)");
     cases->add_option("--json", options.json, "write the matrix as JSON; - prints it")

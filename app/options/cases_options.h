@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "options/run_options.h"
+#include "plan/map_size.h"
 #include "scene_catalogue.h"
 
 namespace timeshade {
@@ -14,7 +15,7 @@ struct CasesOptions : RunOptions {
     std::vector<std::string> measuredTechniques;  ///< empty for all
     SettingTexts settings;                        ///< "tsm.bias", "0.5"
     int samplesPerPixel = 8;
-    int mapSize = 512;  ///< texels along a side of the shadow map
+    MapSize mapSize = 512;  ///< of the shadow map
 };
 
 }  // namespace timeshade

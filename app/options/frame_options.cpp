@@ -29,7 +29,7 @@ void declareSampling(CLI::App& app, FrameOptions& options) {
            "--size", [&options](const std::string& text) { readSize(text, options); }, "WIDTHxHEIGHT of the picture")
         ->check(notEmpty("WIDTHxHEIGHT"))
         ->multi_option_policy(lastWins);
-    declareMapSize(app, options.mapSize, "shadow map size: texels along a side");
+    declareMapSize(app, options.mapSize, "shadow map size: texels along a side, or WIDTHxHEIGHT");
     app.add_option("--seed", options.seed, "of all random numbers")
         ->check(numberFrom(0u, 4294967295u))
         ->multi_option_policy(lastWins);

@@ -16,7 +16,7 @@ namespace timeshade {
 struct FrameOptions {
     int width = 640, height = 480;  ///< pixels
     int samplesPerPixel = 8;
-    int mapSize = 1024;  ///< texels along a side of the shadow map
+    MapSize mapSize;  ///< of the shadow map
     unsigned seed = 1;
     std::string clip;                       ///< name of one of the file's animations; empty for the first
     std::optional<double> frame;            ///< the scene's own where not given

@@ -41,9 +41,16 @@ CLI::Option* declareSweep(CLI::App& measure, MeasureOptions& options) {
             "--techniques", options.measuredTechniques,
             "names, with settings after colons as in tsm:bias=2, and embree for the ray-traced baseline (default: all)")
         ->delimiter(',');
-    measure.add_option("--maps", options.measuredMaps, "shadow map sizes to measure, as in 256,512")
+    measure
+        .add_option_function<std::vector<std::string>>(
+            "--maps",
+            [&options](const std::vector<std::string>& texts) {
+                options.measuredMaps.clear();
+                for (const std::string& text : texts) options.measuredMaps.push_back(*MapSize::of(text));
+            },
+            "shadow map sizes to measure, as in 256,512x384")
         ->delimiter(',')
-        ->check(numberFrom(minimumMapSize, maximumMapSize));
+        ->check(mapSizeText());
     measure
         .add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")
         ->check(numberFrom(2, 1000));

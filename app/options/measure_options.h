@@ -22,7 +22,7 @@ struct MeasureOptions : FrameOptions, TechniqueOptions, CompareOptions, RunOptio
     std::vector<std::string> measuredScenes;                ///< empty for all built-in ones that are files
     std::vector<std::string> measuredTechniques;            ///< names or TechniqueVariants; empty for all, and Embree
     std::vector<int> measuredSampleCounts{1, 2, 4, 8, 16};  ///< samples per pixel
-    std::vector<int> measuredMaps{512};
+    std::vector<MapSize> measuredMaps{512};
     std::vector<int> convergenceFrames;     ///< not empty for the convergence of a still picture instead
     std::string variedSetting;              ///< a computed scene's setting, "cubes.count"; empty for none
     std::vector<std::string> variedValues;  ///< the values that it takes, checked

@@ -11,9 +11,21 @@ void declareSamples(CLI::App& app, int& samplesPerPixel) {
         ->multi_option_policy(lastWins);
 }
 
-void declareMapSize(CLI::App& app, int& mapSize, const std::string& help) {
-    app.add_option("--map", mapSize, help)
-        ->check(numberFrom(minimumMapSize, maximumMapSize))
+CLI::Validator mapSizeText() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            return MapSize::of(text)
+                       ? std::string{}
+                       : fmt::format("'{}' given, expected a whole number or WIDTHxHEIGHT, each from {} to {}", text,
+                                     minimumMapSide, maximumMapSide);
+        },
+        fmt::format("{0} to {1}, or as 1024x768", minimumMapSide, maximumMapSide));
+}
+
+void declareMapSize(CLI::App& app, MapSize& mapSize, const std::string& help) {
+    app.add_option_function<std::string>(
+           "--map", [&mapSize](const std::string& text) { mapSize = *MapSize::of(text); }, help)
+        ->check(mapSizeText())
         ->multi_option_policy(lastWins);
 }
 

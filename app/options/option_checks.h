@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "plan/map_size.h"
+
 namespace timeshade {
 
 /// Checks of values, our own: CLI11's ranges let NaN pass, its words may also be given as numbers, and the messages of
@@ -55,7 +57,9 @@ CLI::Validator oneOf(const std::vector<std::pair<std::string, Enum>>& words) {
 inline constexpr auto lastWins = CLI::MultiOptionPolicy::TakeLast;
 
 void declareSamples(CLI::App& app, int& samplesPerPixel);
-void declareMapSize(CLI::App& app, int& mapSize, const std::string& help);
+/// Texels along a side, or WIDTHxHEIGHT.
+CLI::Validator mapSizeText();
+void declareMapSize(CLI::App& app, MapSize& mapSize, const std::string& help);
 /// Names of built-in scenes, and that a file may be given too.
 CLI::Option* declareScene(CLI::App& app, std::string& scene);
 

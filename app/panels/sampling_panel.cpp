@@ -9,12 +9,12 @@ namespace timeshade {
 namespace {
 
 void drawMapSize(Session& session, Widgets& widgets) {
-    std::vector<int> sizes;
-    for (int size = 64; size <= maximumMapSize; size *= 2) sizes.push_back(size);
-    int& mapSize = session.moment.request.mapSize;
+    std::vector<MapSize> sizes;
+    for (int size = 64; size <= maximumMapSide; size *= 2) sizes.emplace_back(size);
+    MapSize& mapSize = session.moment.request.mapSize;
     if (std::find(sizes.begin(), sizes.end(), mapSize) == sizes.end()) sizes.push_back(mapSize);
     std::vector<std::string> names;
-    for (const int size : sizes) names.push_back(fmt::format("{0} × {0}", size));
+    for (const MapSize& size : sizes) names.push_back(fmt::format("{} × {}", size.width, size.height));
     const auto current = static_cast<std::size_t>(std::find(sizes.begin(), sizes.end(), mapSize) - sizes.begin());
     if (const auto chosen =
             widgets.combo("map", "Shadow map size", names, current,

@@ -71,7 +71,7 @@ std::string statusOf(const Session& session) {
     const std::string cost = times.frames() > 0 ? ", " + inMilliseconds(times.medianTotal()) : "";
     const char* unit = session.renderer.renders() > 1 ? "renders" : "spp";
     const std::string size =
-        fmt::format("{} x {}, {} {}, map {}", drawn.width, drawn.height, samples, unit, drawn.mapSize);
+        fmt::format("{} x {}, {} {}, map {}", drawn.width, drawn.height, samples, unit, drawn.mapSize.text());
     return session.driver.preview() ? "Preview " + size + cost : size + cost;
 }
 

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "headless.h"
 #include "headless_gl.h"
+#include "measure/map_size_json.h"
 #include "output_path.h"
 #include "record/frame_progress.h"
 #include "record/part_painter.h"
@@ -99,7 +100,7 @@ std::string reportOf(const RecordOptions& options, const std::vector<ScriptPart>
                                  {"frames", frames[i]},
                                  {"step", parts[i].step},
                                  {"spp", drawn.samplesPerPixel},
-                                 {"map", drawn.mapSize}});
+                                 {"map", asJson(drawn.mapSize)}});
         if (drawn.compared.empty())
             json["parts"].back()["technique"] = drawn.technique;
         else

@@ -107,7 +107,7 @@ std::optional<ProbePoint> AccuracyProbe::step() {
     return std::nullopt;
 }
 
-FramePlan AccuracyProbe::planFor(int samplesPerPixel, int mapSize) {
+FramePlan AccuracyProbe::planFor(int samplesPerPixel, const MapSize& mapSize) {
     FrameRequest request = request_;
     request.samplesPerPixel = samplesPerPixel;
     request.mapSize = mapSize;

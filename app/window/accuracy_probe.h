@@ -17,7 +17,7 @@ struct ProbeSubject {
     std::string technique;
     std::vector<double> settings;  ///< in the order of settingsOf
     int samplesPerPixel = 8;
-    int mapSize = 1024;
+    MapSize mapSize;
     bool operator==(const ProbeSubject&) const = default;
 };
 
@@ -70,7 +70,7 @@ class AccuracyProbe {
     std::optional<ProbePoint> draw();
     void beginSubject();
     void compareRender();
-    FramePlan planFor(int samplesPerPixel, int mapSize);
+    FramePlan planFor(int samplesPerPixel, const MapSize& mapSize);
 
     std::optional<FrameRenderer> renderer_;  ///< made when first needed
     ReferenceCache cache_;

@@ -23,8 +23,8 @@ double milliseconds() {
 /// What decides how long a picture takes, apart from the view.
 std::vector<double> methodKeyOf(const FrameDriver::Wanted& wanted) {
     const FrameRequest& r = wanted.request;
-    std::vector<double> key{double(wanted.scene), double(r.width), double(r.height), double(r.samplesPerPixel),
-                            double(r.mapSize)};
+    std::vector<double> key{double(wanted.scene),      double(r.width),         double(r.height),
+                            double(r.samplesPerPixel), double(r.mapSize.width), double(r.mapSize.height)};
     for (const Setting& setting : settingsOf(*wanted.technique)) key.push_back(setting.get());
     return key;
 }

@@ -37,7 +37,8 @@ FrameRequest PreviewQuality::reduced(FrameRequest full, int level) const {
     full.width = std::max(1, static_cast<int>(std::lround(full.width * side)));
     full.height = std::max(1, static_cast<int>(std::lround(full.height * side)));
     full.samplesPerPixel = reducedTo(full.samplesPerPixel, l.samplesDivisor, leastSamples);
-    full.mapSize = reducedTo(full.mapSize, l.mapDivisor, leastMap);
+    full.mapSize = {reducedTo(full.mapSize.width, l.mapDivisor, leastMap),
+                    reducedTo(full.mapSize.height, l.mapDivisor, leastMap)};
     return full;
 }
 

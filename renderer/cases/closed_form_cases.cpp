@@ -297,7 +297,7 @@ std::vector<ClosedFormCase> makeCases() {
 
 }  // namespace
 
-FrameRequest ClosedFormCase::request(int samplesPerPixel, int mapSize, std::uint32_t seed) const {
+FrameRequest ClosedFormCase::request(int samplesPerPixel, const MapSize& mapSize, std::uint32_t seed) const {
     return ProceduralScene::request(width, height, samplesPerPixel, mapSize, seed);
 }
 

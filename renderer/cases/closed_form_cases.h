@@ -41,7 +41,7 @@ struct ClosedFormCase {
     double (*evaluate)() = nullptr;
 
     /// The frame that is measured.
-    FrameRequest request(int samplesPerPixel, int mapSize, std::uint32_t seed) const;
+    FrameRequest request(int samplesPerPixel, const MapSize& mapSize, std::uint32_t seed) const;
 };
 
 /// All rows, in ascending order.

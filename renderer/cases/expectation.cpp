@@ -17,11 +17,14 @@ using glm::dvec3;
 using Times = SamplingTraits::Times;
 
 constexpr double nearestCaster = 1e-7;  // of the way to the light: less than any receiver's clearance
+/// Share of a depth by which rounding in a map and in its test may move it: some units in the last place of what a
+/// rasteriser interpolates.
+constexpr double depthRounding = 4e-6;
 
 /// The case's scene as its light's map sees it.
 class World {
   public:
-    World(const ClosedFormCase& c, int strata, int mapSize)
+    World(const ClosedFormCase& c, int strata, const MapSize& mapSize)
         : case_(c), plan_(FramePlanner(*c.scene).plan(c.request(strata, mapSize, 1))) {
         for (const glm::u32vec3& t : plan_.mesh->topology->triangles) {
             TriangleInMap& triangle = triangles_.emplace_back();
@@ -36,14 +39,13 @@ class World {
         const dvec3 offset(place.x * case_.patchWidth, place.y * case_.patchHeight, 0.0);
         const PathInMap path = pathOf(case_.receiverOpen + offset, case_.receiverClose + offset);
         const bool inFirst = hitOf(triangles_[case_.firstReceiver], dvec2(path.open) / path.open.z, 0.0).inside;
-        const int mapSize = plan_.request.mapSize;
         return {triangles_,
                 case_.firstReceiver + (inFirst ? 0u : 1u),
                 path,
-                mapSize,
+                plan_.request.mapSize.sides(),
                 plan_.request.samplesPerPixel,
                 static_cast<double>(plan_.light.block.nearDistance),
-                glm::length(plan_.light.open.right) / mapSize};
+                glm::length(plan_.light.open.right) / plan_.request.mapSize.shorterSide()};
     }
 
   private:
@@ -67,8 +69,14 @@ class World {
 /// Integrates numerically over positions on the receiver, times of the receiver and times of the casters.
 class Model {
   public:
-    Model(const ClosedFormCase& c, const TechniqueStatement& stated, int strata, int mapSize)
-        : case_(c), stated_(stated), traits_(stated.traits), strata_(strata), world_(c, strata, mapSize) {
+    /// margin: share of a receiver's depth by which a caster must be nearer, beyond the bias.
+    Model(const ClosedFormCase& c, const TechniqueStatement& stated, int strata, const MapSize& mapSize, double margin)
+        : case_(c),
+          stated_(stated),
+          traits_(stated.traits),
+          strata_(strata),
+          margin_(margin),
+          world_(c, strata, mapSize) {
         // Fewer steps for scenes of many triangles, to bound the run time.
         const bool crowd = world_.triangles() > 100;
         places_ = crowd ? 4 : 6;
@@ -140,9 +148,10 @@ class Model {
     /// For a receiver seen at the instant u.
     double litAt(const ReceiverInMap& receiver, double u) const {
         if (traits_.times != Times::RandomInStratum) return litWith(receiver, instantOf(u), instantOf(u));
-        const double stratum = std::floor(u * strata_);
+        const int strata = traits_.strata > 0 ? traits_.strata : strata_;
+        const double stratum = std::floor(u * strata);
         double lit = 0.0;
-        for (int k = 0; k < steps_; ++k) lit += litWith(receiver, u, (stratum + (k + 0.5) / steps_) / strata_);
+        for (int k = 0; k < steps_; ++k) lit += litWith(receiver, u, (stratum + (k + 0.5) / steps_) / strata);
         return lit / steps_;
     }
 
@@ -158,7 +167,7 @@ class Model {
         int lit = 0;
         for (int i = -reach; i <= reach; ++i)
             for (int j = -reach; j <= reach; ++j) {
-                const dvec2 texel = receiver.texelCentre(position) + dvec2(i, j) / double(receiver.mapSize);
+                const dvec2 texel = receiver.texelCentre(position) + dvec2(i, j) / receiver.mapSize;
                 lit += isFree(prediction, receiver, {texel, p.z, u, v}) ? 1 : 0;
             }
         return lit / ((2.0 * reach + 1.0) * (2.0 * reach + 1.0));
@@ -171,8 +180,7 @@ class Model {
     };
 
     bool isFree(const Prediction& prediction, const ReceiverInMap& receiver, const Test& test) const {
-        // In a map, equal depths cast no shadow; the relative slack absorbs rounding.
-        const double bias = traits_.texelCentres ? traits_.biasTexels * receiver.texelAngle + 1e-9 : nearestCaster,
+        const double bias = traits_.texelCentres ? traits_.biasTexels * receiver.texelAngle + margin_ : nearestCaster,
                      nearest = traits_.texelCentres ? receiver.nearDistance : 0.0;
         for (std::size_t caster = 0; caster < receiver.triangles.size(); ++caster) {
             const auto distance = prediction.casterDistance(receiver, caster, test.position, test.u, test.v);
@@ -188,7 +196,7 @@ class Model {
         int lit = 0, tested = 0;
         for (int i = -1; i <= 1; ++i)
             for (int j = -1; j <= 1; ++j, ++tested) {
-                const dvec2 shifted = dvec2(p) / p.z + dvec2(i, j) * (0.5 / receiver.mapSize);
+                const dvec2 shifted = dvec2(p) / p.z + 0.5 * dvec2(i, j) / receiver.mapSize;
                 lit += isFree(Prediction(), receiver, {shifted, p.z, at, at}) ? 1 : 0;
             }
         return lit != 0 && lit != tested;
@@ -198,6 +206,7 @@ class Model {
     const TechniqueStatement& stated_;
     const SamplingTraits& traits_;
     int strata_;
+    double margin_;
     World world_;
     int places_ = 0, steps_ = 0;
     int stepsSeen_ = 0;
@@ -206,17 +215,22 @@ class Model {
 
 }  // namespace
 
-Expectation expectationOf(const ClosedFormCase& c, const TechniqueStatement& stated, int samplesPerPixel, int mapSize) {
+Expectation expectationOf(const ClosedFormCase& c, const TechniqueStatement& stated, int samplesPerPixel,
+                          const MapSize& mapSize) {
     CHECK(c.kind == ClosedFormCase::Kind::Picture);
-    return Model(c, stated, samplesPerPixel, mapSize).result();
+    const bool tied = stated.traits.texelCentres && stated.traits.biasTexels == 0.0;
+    const double margin = tied ? depthRounding : 1e-9;  // equal depths cast no shadow
+    Expectation e = Model(c, stated, samplesPerPixel, mapSize, margin).result();
+    if (tied) e.ties = e.litShare - Model(c, stated, samplesPerPixel, mapSize, -margin).result().litShare;
+    return e;
 }
 
-double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits, int mapSize) {
+double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits, const MapSize& mapSize) {
     if (!traits.texelCentres) return double(c.width) * c.height;
     // The receiver's distance, and so the width of its texels, is greatest at one of the ends.
     const LightPose open = c.scene->light(0.0), close = c.scene->light(1.0);
     const double farthest = std::max(open.position.z - c.receiverOpen.z, close.position.z - c.receiverClose.z);
-    return std::max(1.0, c.patchHeight / (farthest * 2.0 * std::tan(open.outerConeAngle) / mapSize));
+    return std::max(1.0, c.patchHeight / (farthest * 2.0 * std::tan(open.outerConeAngle) / mapSize.height));
 }
 
 }  // namespace timeshade

@@ -15,13 +15,17 @@ struct Expectation {
     /// half its width changes the result. 0 if casters are thinner than a texel, and for techniques without texels.
     double resolution = 0.0;
     double integration = 0.0;  ///< error bound of the numerical integration in litShare
+    /// How much less is lit where all that is as far from the light as the receiver shadows it. Without a bias,
+    /// rounding decides such ties: a technique is held to litShare - ties .. litShare. 0 with a bias.
+    double ties = 0.0;
 };
 
 /// `c` must be of kind Picture.
-Expectation expectationOf(const ClosedFormCase& c, const TechniqueStatement& stated, int samplesPerPixel, int mapSize);
+Expectation expectationOf(const ClosedFormCase& c, const TechniqueStatement& stated, int samplesPerPixel,
+                          const MapSize& mapSize);
 
 /// The number of independent samples of visibility in one stratum of one picture: texels of the map that the picture's
 /// column covers or, for techniques without texels, camera samples.
-double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits, int mapSize);
+double independentAnswers(const ClosedFormCase& c, const SamplingTraits& traits, const MapSize& mapSize);
 
 }  // namespace timeshade

@@ -45,7 +45,8 @@ void ProceduralScene::finish(std::string name) {
     topology_ = topology;
 }
 
-FrameRequest ProceduralScene::request(int width, int height, int samplesPerPixel, int mapSize, std::uint32_t seed) {
+FrameRequest ProceduralScene::request(int width, int height, int samplesPerPixel, const MapSize& mapSize,
+                                      std::uint32_t seed) {
     FrameRequest request;
     request.width = width;
     request.height = height;

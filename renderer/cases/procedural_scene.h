@@ -39,7 +39,7 @@ class ProceduralScene final : public Scene {
     /// Must be called once, after the members above are set.
     void finish(std::string name = "procedural");
     /// The request that opens the shutter at u = 0 and closes it at u = 1.
-    static FrameRequest request(int width, int height, int samplesPerPixel, int mapSize, std::uint32_t seed);
+    static FrameRequest request(int width, int height, int samplesPerPixel, const MapSize& mapSize, std::uint32_t seed);
 
     const std::string& name() const override { return name_; }
     double duration() const override { return 1.0; }

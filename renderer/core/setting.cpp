@@ -38,6 +38,7 @@ std::optional<double> valueOf(const Setting& setting, const std::string& text) {
     if (setting.isSwitch()) return parseSwitch(text);
     const auto choice = std::find(setting.choices.begin(), setting.choices.end(), text);
     if (choice != setting.choices.end()) return static_cast<double>(choice - setting.choices.begin());
+    if (setting.isChoice() && setting.choices.front() == "off" && parseSwitch(text)) return parseSwitch(text);
     const std::optional<double> number = parseNumber(text);
     const bool whole = number && (!setting.isWhole() || *number == std::floor(*number));
     if (!whole || *number < setting.minimum || *number > setting.maximum) return std::nullopt;

@@ -48,7 +48,8 @@ class SettingsVisitor {
                logarithmic,
                {}});
     }
-    /// One of several names. Written as its name; a number is taken, too, as older settings files have it.
+    /// One of several names. Written as its name; a number is taken, too, as older settings files have it. If the first
+    /// is "off", so is "on" for the second: what was a switch once may become a choice.
     void choice(std::string key, int& value, int defaultValue, std::vector<std::string> choices, std::string help) {
         const auto last = static_cast<double>(choices.size()) - 1.0;
         visit({std::move(key), &value, static_cast<double>(defaultValue), 0.0, last, "", std::move(help), false,

@@ -144,7 +144,7 @@ void FrameRenderer::drawLookup(const TechniqueFrame& frame) {
     lookup.program = [&](Casters casters) { return technique_->lookupProgram(frame, casters); };
     lookup.footprint = technique_->footprint();
     if (frame.plan.versions.lit != 0) lookup.key = Hash().add(settings_.key()).add(frame.plan.versions.lit).value() | 1;
-    lookup.staticIds = samplePass_.staticIds(frame.plan, *samples_);
+    if (technique_->separatesStaticCasters()) lookup.staticIds = samplePass_.staticIds(frame.plan, *samples_);
     lookupPass_.draw(frame, lookup);
 }
 

@@ -116,11 +116,11 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
     result.tolerance = noise + own + (stated.isOfOneInstant() ? 0.0 : e.resolution);
     result.predicted = e.litShare;
     result.predictedTolerance = noise + e.integration + own;
+    result.ties = e.ties;
     if (std::abs(result.error()) <= result.tolerance)
         result.verdict = Verdict::Right;
     else
-        result.verdict = std::abs(result.value - result.predicted) <= result.predictedTolerance ? Verdict::Predicted
-                                                                                                : Verdict::Wrong;
+        result.verdict = result.isAsPredicted() ? Verdict::Predicted : Verdict::Wrong;
     return result;
 }
 

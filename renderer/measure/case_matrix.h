@@ -27,15 +27,19 @@ struct CaseResult {
     double tolerance = 0.0;  ///< about exact
     double predicted = 0.0;  ///< what follows from the technique's statement
     double predictedTolerance = 0.0;
+    double ties = 0.0;  ///< how much less is predicted where ties of depth cast shadows (Expectation::ties)
     Verdict verdict = Verdict::NotTaken;
     std::string reason;  ///< why it is not taken, in words
 
     double error() const { return value - exact; }
+    bool isAsPredicted() const {
+        return value <= predicted + predictedTolerance && value >= predicted - ties - predictedTolerance;
+    }
 };
 
 struct CaseSampling {
     int samplesPerPixel = 8;
-    int mapSize = 512;
+    MapSize mapSize = 512;
 };
 
 /// Mean lit, over the samples that see the case's receiver, of `pictures` pictures with seeds from 1.

@@ -48,7 +48,7 @@ std::string textOf(const std::optional<CameraPose>& pose) {
 std::string textOf(const FrameRequest& request) {
     const auto& [width, height, samples, map, seed, frame, shutter, camera, forceDynamic, caches, pose] = request;
     return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {} of {} at {}, camera {}, {}{}pose {}",
-                       width, height, samples, map, seed, frame, shutter.length, shutter.framesPerSecond,
+                       width, height, samples, map.text(), seed, frame, shutter.length, shutter.framesPerSecond,
                        static_cast<int>(shutter.position), camera, forceDynamic ? "force dynamic, " : "",
                        caches ? "" : "no cache, ", textOf(pose));
 }

@@ -60,7 +60,7 @@ FramePlan batchPlan(const FramePlan& plan, int batch) {
 std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options) {
     shared::FrameBlock block = plan.block;
     block.seed = block.strata = 0;  // of the image under test
-    block.mapSize = 0;
+    block.mapWidth = 0;
     block.timeScale = 0.0f;
     block.lightCone.w = 0.0f;  // the width of a map texel
     ReferenceDigest frame;

@@ -192,7 +192,7 @@ class SceneSweep {
 std::vector<SweepPoint> pointsOf(const SweepOptions& options, const SweepScene& scene) {
     std::vector<SweepPoint> points;
     for (const std::string& technique : options.techniques)
-        for (const int mapSize : options.mapSizes) {
+        for (const MapSize& mapSize : options.mapSizes) {
             for (const int sampleCount : options.sampleCounts) {
                 points.push_back({scene.name, technique, sampleCount, mapSize, scene.varied, scene.variedValue});
                 if (isBaseline(points.back()) && mapSize != options.mapSizes.front()) points.pop_back();  // has no map
@@ -267,7 +267,7 @@ void noteStaleRows(const SweepJournal& journal, const SweepOptions& options,
 
 std::string SweepPoint::key() const {
     const std::string place = varied.empty() ? scene : fmt::format("{} {}={}", scene, varied, variedValue);
-    return fmt::format("{} {} spp {} map {}", place, technique, sampleCount, mapSize);
+    return fmt::format("{} {} spp {} map {}", place, technique, sampleCount, mapSize.text());
 }
 
 std::vector<SweepRow> runSweep(FrameRenderer& renderer, const SweepOptions& options, ReferenceCache& cache) {

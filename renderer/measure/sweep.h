@@ -20,7 +20,7 @@ struct SweepPoint {
     std::string scene;
     std::string technique;  ///< a TechniqueVariant, or "embree" for the Embree baseline
     int sampleCount = 8;    ///< samples per pixel; brute force draws bruteForceRenders(sampleCount) renders instead
-    int mapSize = 512;
+    MapSize mapSize = 512;
     std::string varied{};  ///< the scene's setting that the sweep varies: "cubes.count"; empty for none
     double variedValue = 0.0;
 
@@ -65,7 +65,7 @@ struct SweepOptions {
     std::vector<std::string> techniques;  ///< TechniqueVariants; "embree" among them adds the baseline
     std::vector<std::pair<std::string, std::string>> settings;  ///< "tsm.bias", "0.5"
     std::vector<int> sampleCounts{1, 2, 4, 8, 16};
-    std::vector<int> mapSizes{512};
+    std::vector<MapSize> mapSizes{512};
     int rounds = 3;    ///< at least 2; each times every point once, in turn, with another seed
     int sequence = 0;  ///< frames timed as steady ones in a round; then there are rows for caches that fill as well. 0:
                        ///< one such frame, and no rows for that

@@ -16,6 +16,7 @@
 #include "image/file_bytes.h"
 #include "image/image_file.h"
 #include "image/part_file.h"
+#include "measure/map_size_json.h"
 #include "measure/verification_json.h"
 
 namespace timeshade {
@@ -37,7 +38,7 @@ std::string rowAsJson(const SweepRow& row) {
     json["scene"] = row.point.scene;
     json["technique"] = row.point.technique;
     json["spp"] = row.point.sampleCount;
-    json["map"] = row.point.mapSize;
+    json["map"] = asJson(row.point.mapSize);
     json["state"] = nameOf(row.state);
     json["renders"] = row.renders;
     if (!row.point.varied.empty()) json["varied"] = {{"key", row.point.varied}, {"value", row.point.variedValue}};
@@ -67,7 +68,7 @@ std::string rowAsJson(const SweepRow& row) {
 SweepRow rowFromJson(const std::string& text) {
     const Json json = Json::parse(text);
     SweepRow row;
-    row.point = {json.at("scene"), json.at("technique"), json.at("spp"), json.at("map"), "", 0.0};
+    row.point = {json.at("scene"), json.at("technique"), json.at("spp"), mapSizeFromJson(json.at("map")), "", 0.0};
     row.state = frameStateNamed(json.value("state", "")).value_or(FrameState::Filling);
     row.renders = json.value("renders", 1);
     if (json.contains("varied")) {

@@ -97,9 +97,9 @@ std::string reportTable(const std::vector<SweepRow>& rows, const std::string& sc
         text += fmt::format("| {} |", row.point.technique);
         if (varied != nullptr) text += fmt::format(" {:g} |", row.point.variedValue);
         text += fmt::format(" {} | {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |", sampleCountLabel(row),
-                            row.point.technique == "embree" ? "-" : fmt::format("{}", row.point.mapSize),
-                            nameOf(row.state), stepOf(row, "sample").median, stepOf(row, "build").median,
-                            stepOf(row, "lookup").median, stepOf(row, "shade").median);
+                            row.point.technique == "embree" ? "-" : row.point.mapSize.text(), nameOf(row.state),
+                            stepOf(row, "sample").median, stepOf(row, "build").median, stepOf(row, "lookup").median,
+                            stepOf(row, "shade").median);
         for (const std::string& part : parts)
             text += row.steps.count(part) > 0 ? fmt::format(" {:.1f} |", stepOf(row, part).median) : " |";
         text += fmt::format(
@@ -231,7 +231,7 @@ std::string sweepCsv(const std::vector<SweepRow>& rows) {
     text += "\n";
     for (const SweepRow& row : rows) {
         text += fmt::format("{},{},{},{},{},{}", row.point.scene, row.point.technique, row.point.sampleCount,
-                            row.point.mapSize, nameOf(row.state), row.renders);
+                            row.point.mapSize.text(), nameOf(row.state), row.renders);
         for (const std::string& step : frameSteps) {
             const Timing timing = stepOf(row, step);
             text += fmt::format(",{},{},{}", timing.median, timing.low, timing.high);

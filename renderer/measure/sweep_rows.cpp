@@ -51,10 +51,10 @@ std::vector<SweepRow> rowsOfCharts(const std::vector<SweepRow>& rows) {
 }
 
 std::string curveName(const std::vector<SweepRow>& rows, const SweepPoint& point) {
-    std::set<int> maps;
+    std::set<MapSize> maps;
     for (const SweepRow& row : rows)
         if (row.point.technique == point.technique) maps.insert(row.point.mapSize);
-    return maps.size() > 1 ? fmt::format("{}, map {}", point.technique, point.mapSize) : point.technique;
+    return maps.size() > 1 ? fmt::format("{}, map {}", point.technique, point.mapSize.text()) : point.technique;
 }
 
 double shadowErrorOf(const SweepRow& row) {

@@ -30,7 +30,7 @@ void SamplePass::draw(const FramePlan& plan, const GpuMesh& mesh, SampleBuffer& 
     if (again && !nothingMoves) return drawOntoStatic(plan, mesh, samples);
     caches_.entry<StaticSamples>(staticName).drop();
     rasterizer_.draw(mesh, plan.camera, {&plan.camera.staticTriangles, &plan.camera.dynamicTriangles}, camera, numbers,
-                     plan.block.strata, &samples.ids(), *depth_);
+                     StochasticRasterizer::Strata::ofSamples(plan), &samples.ids(), *depth_);
 }
 
 void SamplePass::drawOntoStatic(const FramePlan& plan, const GpuMesh& mesh, SampleBuffer& samples) {
@@ -41,11 +41,11 @@ void SamplePass::drawOntoStatic(const FramePlan& plan, const GpuMesh& mesh, Samp
     StaticSamples& cached = entry.get(ids.width(), ids.height(), ids.layers());
     if (!held)
         StochasticRasterizer(programs_).draw(mesh, plan.camera, {&plan.camera.staticTriangles}, camera, numbers,
-                                             plan.block.strata, &cached.ids, cached.depth);
+                                             StochasticRasterizer::Strata::ofSamples(plan), &cached.ids, cached.depth);
     entry.setKey(key);
     const StochasticRasterizer::Start start{cached.ids, cached.depth, cached.dynamicPixels};
-    rasterizer_.draw(mesh, plan.camera, {&plan.camera.dynamicTriangles}, camera, numbers, plan.block.strata, &ids,
-                     *depth_, &start);
+    rasterizer_.draw(mesh, plan.camera, {&plan.camera.dynamicTriangles}, camera, numbers,
+                     StochasticRasterizer::Strata::ofSamples(plan), &ids, *depth_, &start);
     samples.setDynamicPixels(&cached.dynamicPixels);
 }
 

@@ -26,14 +26,14 @@ Runs runsOf(const std::vector<std::uint32_t>& triangles) {
 }  // namespace
 
 void ShadowMap::begin(const FramePlan& plan, float instant, const glm::mat3& mapFromPlane) {
-    const int size = plan.request.mapSize;
-    if (!depth_ || depth_->width() != size) {
-        depth_ = gl::Texture::array2D("shadow map", GL_DEPTH_COMPONENT32F, size, size, 1);
+    const MapSize size = plan.request.mapSize;
+    if (!depth_ || MapSize(depth_->width(), depth_->height()) != size) {
+        depth_ = gl::Texture::array2D("shadow map", GL_DEPTH_COMPONENT32F, size.width, size.height, 1);
         target_.emplace("shadow map target");
         target_->setColorCount(keepsTriangles_ ? 1 : 0);
         target_->attach(GL_DEPTH_ATTACHMENT, *depth_);
         if (keepsTriangles_) {
-            triangles_ = gl::Texture::array2D("triangles of the shadow map", GL_R32UI, size, size, 1);
+            triangles_ = gl::Texture::array2D("triangles of the shadow map", GL_R32UI, size.width, size.height, 1);
             target_->attach(GL_COLOR_ATTACHMENT0, *triangles_);
         }
     }
@@ -46,7 +46,7 @@ void ShadowMap::begin(const FramePlan& plan, float instant, const glm::mat3& map
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     glDepthMask(GL_TRUE);
-    target_->bindForDrawing(size, size);
+    target_->bindForDrawing(size.width, size.height);
     program.use(gl::Inputs().set("instant", instant).set("mapFromPlane", mapFromPlane));
 }
 

@@ -14,6 +14,7 @@ gl::ShaderDefines definesFor(const ViewPlan& view, StochasticRasterizer::Role ro
     if (view.turns) defines.emplace_back("VIEW_TURNS", "1");
     if (view.projection == Projection::Orthographic) defines.emplace_back("VIEW_ORTHOGRAPHIC", "1");
     if (output == StochasticRasterizer::Output::TriangleId) defines.emplace_back("OUTPUT_ID", "1");
+    if (output == StochasticRasterizer::Output::DepthRate) defines.emplace_back("OUTPUT_DEPTH_RATE", "1");
     if (output == StochasticRasterizer::Output::DepthVelocity) defines.emplace_back("OUTPUT_DEPTH_VELOCITY", "1");
     return defines;
 }
@@ -48,7 +49,7 @@ void StochasticRasterizer::upload(Uploaded& uploaded, const TriangleLists& lists
 
 void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
                                 std::initializer_list<const TriangleLists*> lists, Role role, Output output,
-                                std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth,
+                                const Strata& strata, const gl::Texture* color, const gl::Texture& depth,
                                 const Start* start) {
     uploaded_.resize(lists.size());
     for (std::size_t i = 0; i < lists.size(); ++i) upload(uploaded_[i], *lists.begin()[i]);
@@ -71,7 +72,7 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
         glClearTexImage(start->dynamicPixels.name(), 0, GL_RED, GL_FLOAT, &nothing);
         target_.attach(GL_COLOR_ATTACHMENT1, start->dynamicPixels);
     }
-    for (std::uint32_t stratum = 0; stratum < strata; ++stratum) {
+    for (std::uint32_t stratum = 0; stratum < strata.count; ++stratum) {
         const int layer = static_cast<int>(stratum), depthLayer = depth.layers() > 1 ? layer : 0;
         if (start) {
             copyLayer(start->color, layer, *color, layer);
@@ -85,6 +86,7 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
             if (list.smallCount > 0) {
                 points.use();
                 points.set("stratum", stratum);
+                points.set("stratumLength", strata.length);
                 glVertexArrayElementBuffer(mesh.trianglesAsVertices().name(), list.small->name());
                 glBindVertexArray(mesh.trianglesAsVertices().name());
                 glDrawElements(GL_POINTS, static_cast<GLsizei>(list.smallCount), GL_UNSIGNED_INT, nullptr);
@@ -92,6 +94,7 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
             if (list.largeCount > 0) {
                 rectangles.use();
                 rectangles.set("stratum", stratum);
+                rectangles.set("stratumLength", strata.length);
                 list.largeView->bind(LARGE_TRIANGLES_UNIT);
                 glBindVertexArray(none_.name());
                 glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.largeCount));

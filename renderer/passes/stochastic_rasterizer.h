@@ -16,9 +16,22 @@ namespace timeshade {
 class StochasticRasterizer {
   public:
     enum class Role { Camera, Light };
-    enum class Output { TriangleId, DepthOnly, DepthVelocity };
+    enum class Output {
+        TriangleId,
+        DepthOnly,
+        DepthRate,     ///< and how fast the depth changes that a pixel sees of the triangle, per u
+        DepthVelocity  ///< and how fast that of the point changes that it sees
+    };
 
     explicit StochasticRasterizer(gl::ProgramCache& programs);
+
+    /// Into how many strata the frame's time is cut, and how long one is, in u.
+    struct Strata {
+        std::uint32_t count;
+        float length;
+        /// As the frame's camera samples have them.
+        static Strata ofSamples(const FramePlan& plan) { return {plan.block.strata, plan.block.timeScale}; }
+    };
 
     /// What the layers hold before anything is drawn, instead of nothing: the same layers of other textures. `touched`
     /// (R8, one layer for all strata) gets 1 where anything is drawn onto that.
@@ -33,7 +46,7 @@ class StochasticRasterizer {
     /// near / distance under perspective, 1 - distance / far when orthographic, 0 where nothing is. The frame's
     /// uniforms and the mesh must be bound.
     void draw(const GpuMesh& mesh, const ViewPlan& view, std::initializer_list<const TriangleLists*> lists, Role role,
-              Output output, std::uint32_t strata, const gl::Texture* color, const gl::Texture& depth,
+              Output output, const Strata& strata, const gl::Texture* color, const gl::Texture& depth,
               const Start* start = nullptr);
 
     std::size_t bytes() const;

@@ -6,10 +6,10 @@
 namespace timeshade {
 
 DynamicCasterMask maskOfDynamicCasters(const LightMotion& casters, const std::vector<shared::SweptBounds>& inMap,
-                                       int mapSize) {
+                                       int shortSide) {
     constexpr int side = DynamicCasterMask::side;
     constexpr float widestFilter = 4.0f;  // texels
-    const float margin = widestFilter / static_cast<float>(mapSize) + 1e-3f;
+    const float margin = widestFilter / static_cast<float>(shortSide) + 1e-3f;
     DynamicCasterMask mask;
     mask.cells.assign(std::size_t{side} * side, 0);
     const auto cellOf = [&](float position) {

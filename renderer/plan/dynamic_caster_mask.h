@@ -16,8 +16,8 @@ struct DynamicCasterMask {
 };
 
 /// Marks the cells of all dynamic casters. `inMap`: bounds of each triangle's path in the shadow map
-/// (MotionClassifier::Motion). mapSize: texels along a side.
+/// (MotionClassifier::Motion). shortSide: texels along the map's shorter side.
 DynamicCasterMask maskOfDynamicCasters(const LightMotion& casters, const std::vector<shared::SweptBounds>& inMap,
-                                       int mapSize);
+                                       int shortSide);
 
 }  // namespace timeshade

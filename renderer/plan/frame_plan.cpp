@@ -89,7 +89,7 @@ ViewPlan planSpotMap(const FramePlan& plan, double sceneDiagonal) {
     view.open.right = view.close.right = axes[0] * side;
     view.open.up = view.close.up = axes[1] * side;
     view.open.corner = view.close.corner = -axes[2] - 0.5 * side * (axes[0] + axes[1]);
-    finishView(view, glm::dvec2(plan.request.mapSize), spotNearShare * sceneDiagonal, 0.0);
+    finishView(view, plan.request.mapSize.sides(), spotNearShare * sceneDiagonal, 0.0);
     return view;
 }
 
@@ -139,7 +139,7 @@ ViewPlan planDirectionalMap(const FramePlan& plan) {
     };
     view.open = endOf(directions[0]);
     view.close = endOf(directions[1]);
-    finishView(view, glm::dvec2(plan.request.mapSize), 0.0, bounds.high.z - bounds.low.z);
+    finishView(view, plan.request.mapSize.sides(), 0.0, bounds.high.z - bounds.low.z);
     return view;
 }
 
@@ -158,8 +158,8 @@ void fillLight(shared::FrameBlock& block, const FramePlan& plan, double exposure
     block.lightDirection = glm::vec4(glm::dvec4(direction(plan.lightOpen), directional ? 1.0 : 0.0));
     block.lightDirectionClose = glm::vec4(glm::dvec4(direction(plan.lightClose), directional ? 1.0 : 0.0));
     block.lightIntensity = glm::vec4(glm::dvec4(light.intensity * exposure, 0.0));
-    // Width of a map texel: at distance 1 from a spot, at any distance from a directional light.
-    const double texel = glm::length(plan.light.open.right) / plan.request.mapSize;
+    // Width of a map texel, of its longer side: at distance 1 from a spot, at any distance from a directional light.
+    const double texel = glm::length(plan.light.open.right) / plan.request.mapSize.shorterSide();
     block.lightCone = glm::vec4(glm::dvec4(cosOuter, cosInner, 1.0 / (cosInner - cosOuter), texel));
     block.ambientSky = glm::vec4(0.17f, 0.19f, 0.23f, 0.0f);
     block.ambientGround = glm::vec4(0.07f, 0.06f, 0.05f, 0.0f);
@@ -216,8 +216,8 @@ void checkRequest(const FrameRequest& request) {
     }
     CHECK_GE(request.samplesPerPixel, 1);
     CHECK_LE(request.samplesPerPixel, maximumSamplesPerPixel);
-    CHECK_GE(request.mapSize, 1);
-    CHECK_LE(request.mapSize, maximumMapSize);
+    CHECK_GE(request.mapSize.shorterSide(), 1);
+    CHECK_LE(request.mapSize.longerSide(), maximumMapSide);
     CHECK_GT(request.shutter.framesPerSecond, 0.0);
     CHECK_GE(request.shutter.length, 0.0);
 }
@@ -238,7 +238,7 @@ std::optional<std::string> bentPathWarning(const FramePlan& plan) {
         const glm::vec3 off = glm::abs(turn * (plan.texels->vertices[v + 1] - plan.texels->vertices[v]));
         largest = std::max({largest, off.x, off.y});
     }
-    const double texels = 0.25 * static_cast<double>(largest) * plan.request.mapSize;
+    const double texels = 0.25 * static_cast<double>(largest) * plan.request.mapSize.longerSide();
     if (texels < 0.5) return std::nullopt;
     return fmt::format(
         "casters move while the sun turns: shadow maps take their paths as straight, which is off by up to {:.1f} "
@@ -307,7 +307,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     plan.block.strata = static_cast<std::uint32_t>(request.samplesPerPixel);
     plan.block.seed = request.seed;
     plan.block.imageSize = {request.width, request.height};
-    plan.block.mapSize = static_cast<std::uint32_t>(request.mapSize);
+    plan.block.mapWidth = static_cast<std::uint32_t>(request.mapSize.width);
     plan.block.weight = 1.0f;
 
     decideMotion(plan);
@@ -347,7 +347,7 @@ void FramePlanner::decideMotion(FramePlan& plan) {
     if (plan.camera.staticTriangles.empty()) plan.versions.samples = 0;
     if (plan.versions.samples == 0 || lightMoves) plan.versions.lit = 0;
     if (plan.versions.lit != 0 && !plan.casters.nothingMoves())
-        plan.reached = maskOfDynamicCasters(plan.casters, *motion.inMap, plan.request.mapSize);
+        plan.reached = maskOfDynamicCasters(plan.casters, *motion.inMap, plan.request.mapSize.shorterSide());
 }
 
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {

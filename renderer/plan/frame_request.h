@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "plan/map_size.h"
 #include "scene/camera.h"
 #include "scene/shutter.h"
 
@@ -13,7 +14,7 @@ struct FrameRequest {
     int width = 640;  ///< pixels, 1 .. 16384
     int height = 480;
     int samplesPerPixel = 8;  ///< 1 .. 32, one per stratum of the shutter
-    int mapSize = 1024;       ///< texels along a side of the shadow map, 16 .. 8192
+    MapSize mapSize;
     std::uint32_t seed = 1;
     double frame = 0.0;  ///< number of the frame; whole numbers unless scrubbing
     Shutter shutter;
@@ -24,8 +25,6 @@ struct FrameRequest {
 };
 
 inline constexpr int maximumSamplesPerPixel = 32;
-inline constexpr int minimumMapSize = 16;
-inline constexpr int maximumMapSize = 8192;
 inline constexpr int maximumImageSide = 16384;
 
 }  // namespace timeshade

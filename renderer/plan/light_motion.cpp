@@ -1,5 +1,7 @@
 #include "plan/light_motion.h"
 
+#include <algorithm>
+
 namespace timeshade {
 
 LightMotion casterLists(const std::vector<TriangleMotion>& triangles, const ListRules& rules) {
@@ -19,6 +21,14 @@ LightMotion casterLists(const std::vector<TriangleMotion>& triangles, const List
         }
     }
     return lists;
+}
+
+std::vector<std::uint32_t> allOf(const LightMotion& lists) {
+    std::vector<std::uint32_t> all;
+    for (const auto* list : {&lists.staticCasters, &lists.dynamicCasters, &lists.nearPlane})
+        all.insert(all.end(), list->begin(), list->end());
+    std::sort(all.begin(), all.end());
+    return all;
 }
 
 }  // namespace timeshade

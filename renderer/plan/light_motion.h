@@ -23,6 +23,9 @@ struct LightMotion {
     bool nothingMoves() const { return dynamicCasters.empty() && nearPlane.empty(); }
 };
 
+/// All three lists as one, in ascending order.
+std::vector<std::uint32_t> allOf(const LightMotion& lists);
+
 /// `rules`: as for the light's view (listTriangles).
 LightMotion casterLists(const std::vector<TriangleMotion>& triangles, const ListRules& rules);
 

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int frames = 240;
 constexpr double framesPerSecond = 24.0;
-constexpr double cubeSide = 0.4;
 constexpr double groundSide = 44.0;
 
 /// The volume that contains the cubes' centres.
@@ -36,14 +35,15 @@ struct Flight {
     }
 };
 
-Flight flightOf(std::uint32_t seed, std::uint32_t cube, double speed, double degreesPerFrame) {
+/// way: how far the fastest fly in a frame.
+Flight flightOf(std::uint32_t seed, std::uint32_t cube, double way, double degreesPerFrame) {
     Dice dice(seed, cube);
     Flight flight;
     const glm::dvec3 normal = dice.direction();
     flight.across = glm::normalize(
         glm::cross(std::abs(normal.y) < 0.8 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0), normal));
     flight.up = glm::cross(normal, flight.across);
-    const double chord = cubeSide * speed * dice.between(0.5, 1.0);
+    const double chord = way * dice.between(0.5, 1.0);
     flight.circle = Circle::withChord(chord, std::max(dice.between(2.0, 3.2), 0.55 * chord), frames);
     for (int axis = 0; axis < 3; ++axis) {
         const double reach = flight.circle.radius * std::sqrt(std::max(0.0, 1.0 - normal[axis] * normal[axis]));
@@ -71,6 +71,8 @@ void Cubes::visitSettings(SettingsVisitor& visitor) {
     visitor.number(
         "turn", turn_, 6.0, 0.0, 30.0, "degrees per frame",
         "How far the cubes that turn fastest turn in one frame, to a step of 1.5; the slowest turn half as far.");
+    // The widest circle that the fastest need fits into the air.
+    visitor.number("size", size_, 0.4, 0.02, 0.5, "units", "The side of a cube; they fly in a block of 18 x 9.4 x 18.");
     visitor.whole("seed", seed_, 1.0, 0.0, 1e6, "seed", "Another number is another flight of all cubes.");
 }
 
@@ -82,10 +84,11 @@ std::unique_ptr<Scene> Cubes::make() {
     parts.materials.push_back(matt("ground", {0.44f, 0.43f, 0.40f}, 0.95f));
     for (const glm::vec3& colour : colours) parts.materials.push_back(matt("cube", colour, 0.6f));
     parts.instances.push_back(ground(groundSide, 0));
-    const auto cube = std::make_shared<const Shape>(box(glm::dvec3(cubeSide), glm::ivec3(1)));
+    const double side = std::round(1e6 * static_cast<double>(size_)) / 1e6;  // 0.4 is no float
+    const auto cube = std::make_shared<const Shape>(box(glm::dvec3(side), glm::ivec3(1)));
     for (int i = 0; i < count_; ++i) {
         const auto number = static_cast<std::uint32_t>(i);
-        const Flight flight = flightOf(static_cast<std::uint32_t>(seed_), number, static_cast<double>(speed_),
+        const Flight flight = flightOf(static_cast<std::uint32_t>(seed_), number, side * static_cast<double>(speed_),
                                        static_cast<double>(turn_));
         MeshInstance instance;
         instance.shape = cube;
@@ -102,7 +105,7 @@ std::unique_ptr<Scene> Cubes::make() {
     parts.cameras.emplace_back("above", staticCamera({2.0, 36.0, 8.0}, {0.0, 2.0, -0.5}, 0.62));
     parts.light = staticSpot({-9.0, 31.0, 7.0}, {0.0, 3.5, 0.0}, 0.47, 0.56);
     parts.bounds.add(glm::dvec3(-0.5 * groundSide, 0.0, -0.5 * groundSide));
-    parts.bounds.add(glm::dvec3(0.5 * groundSide, airHigh.y + cubeSide, 0.5 * groundSide));
+    parts.bounds.add(glm::dvec3(0.5 * groundSide, airHigh.y + side, 0.5 * groundSide));
     return std::make_unique<MeshScene>(std::move(parts));
 }
 

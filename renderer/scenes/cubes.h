@@ -17,6 +17,7 @@ class Cubes final : public SceneRecipe {
     int count_ = 500;
     float speed_ = 2.0f;
     float turn_ = 6.0f;
+    float size_ = 0.4f;
     int seed_ = 1;
 };
 

@@ -22,6 +22,8 @@ struct Footprint {
     /// approximation of the technique's own (percentage-closer filtering, a variance test): not truth. 0: none.
     double filterTexels = 0.0;
 
+    /// Of a filter of (2 radius + 1) x (2 radius + 1) tests; 0: a single one.
+    static double filterOf(int radius) { return radius > 0 ? 2.0 * radius + 1.0 : 0.0; }
     /// The truth is then a single test, 0 or 1: a blur is no part of the truth.
     bool isInstantAtPoint() const { return time == Time::Instant && space == Space::Point; }
     /// Each value is then 0 or 1, and can be right or wrong.

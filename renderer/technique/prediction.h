@@ -27,7 +27,8 @@ struct TriangleInMap {
 struct PlaneHit {
     bool inside = false;    ///< of the triangle; its edges count, a triangle seen edge-on has no inside
     double distance = 0.0;  ///< along the light's axis; negative behind the light, not finite where there is none
-    glm::dvec3 weights;     ///< of the corners, for what is linear over the map
+    glm::dvec3 inMap;       ///< weights of the corners, for what is linear over the map
+    glm::dvec3 inSpace;     ///< for what is linear over the triangle: barycentric coordinates
 };
 
 /// At time u.
@@ -45,21 +46,22 @@ inline PlaneHit hitOf(const TriangleInMap& triangle, const glm::dvec2& position,
     }
     const double sum = e.x + e.y + e.z;
     const bool oneSign = (e.x >= 0 && e.y >= 0 && e.z >= 0) || (e.x <= 0 && e.y <= 0 && e.z <= 0);
-    return {oneSign && sum != 0.0, glm::dot(e, distances) / sum, e * distances / glm::dot(e, distances)};
+    return {oneSign && sum != 0.0, glm::dot(e, distances) / sum, e * distances / glm::dot(e, distances), e / sum};
 }
 
 /// A point of a receiver, and all that may shadow it.
 struct ReceiverInMap {
     const std::vector<TriangleInMap>& triangles;
-    std::size_t own = 0;  ///< the triangle that the point lies in
-    PathInMap path;       ///< the point is followed on that triangle
-    int mapSize = 0, strata = 0;
+    std::size_t own = 0;      ///< the triangle that the point lies in
+    PathInMap path;           ///< the point is followed on that triangle
+    glm::dvec2 mapSize{0.0};  ///< texels
+    int strata = 0;
     double nearDistance = 0.0;  ///< the light's; nothing nearer casts a shadow in a map
-    double texelAngle = 0.0;    ///< width of a texel at distance 1
+    double texelAngle = 0.0;    ///< width of a texel at distance 1, of its longer side
 
     /// Centre of the texel that holds a position.
     glm::dvec2 texelCentre(const glm::dvec2& position) const {
-        return (glm::floor(position * double(mapSize)) + 0.5) / double(mapSize);
+        return (glm::floor(position * mapSize) + 0.5) / mapSize;
     }
 };
 

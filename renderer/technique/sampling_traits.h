@@ -14,6 +14,7 @@ struct SamplingTraits {
         RandomInStratum,  ///< at a random time of u's stratum, drawn per map texel
     };
     Times times = Times::OfReceiver;
+    int strata = 0;  ///< of RandomInStratum: how many the shutter has; 0: as many as a pixel has camera samples
     /// Casters are looked at along the line from the light through the centre of the receiver's map texel.
     bool texelCentres = false;
     double biasTexels = 0.0;   ///< how much nearer to the light a caster must be, in texels at the receiver's depth

@@ -54,6 +54,10 @@ class Technique : public HasSettings {
     /// Forgets what earlier frames left behind: the next frame has no past.
     virtual void forget() {}
 
+    /// True: a lookup by Casters::Static leaves out what is dynamic. False: the frame doesn't ask for one, and caches
+    /// no visibility of static casters.
+    virtual bool separatesStaticCasters() const { return true; }
+
     /// Draws whatever the lookup needs. Timed as "build".
     virtual void build(const TechniqueFrame& frame) = 0;
     /// How lit follows from what build left, by those casters. With its settings as they are.

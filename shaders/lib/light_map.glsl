@@ -57,6 +57,7 @@ float mapDepthRate(MapPoint m, MovingTriangle t, float u) {
 // What has to be allowed for before a depth of the map counts as nearer: `bias` texels, and `slopeBias` times the most
 // that the receiver's own plane rises within half a texel of the receiver. Grazing planes are held at 16 texels.
 float depthBias(MapPoint m, float bias, float slopeBias) {
-    float rise = 0.5 * (abs(m.slope.x) + abs(m.slope.y)) / lightView.size.x;
+    vec2 slope = abs(m.slope) / lightView.size;
+    float rise = 0.5 * (slope.x + slope.y);
     return bias * m.texel + slopeBias * min(rise, 16.0 * m.texel);
 }

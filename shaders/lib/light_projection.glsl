@@ -3,7 +3,7 @@
 // so that nearer is greater; under perspective they are near / distance, without a far plane.
 #include "lib/blocks.glsl"
 
-// Width of a texel of the shadow map at this distance, world units.
+// Width of a texel of the shadow map at this distance, world units: of its longer side.
 float texelWidth(float distance) {
 #ifdef LIGHT_ORTHOGRAPHIC
     return frame.lightCone.w;

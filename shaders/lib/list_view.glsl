@@ -1,11 +1,21 @@
-// What a technique's lists look like from the camera: the mean over a pixel's samples of what is found in the texel of
-// each. The technique's file includes its lists first, which say
+// What a technique's lists look like: from the camera, the mean over a pixel's samples of what is found in the texel of
+// each; from the light, the map itself. The technique's file includes its lists first, which say
 //     ListSummary summaryOf(ivec2 texel)
 //
 // VIEW_TIME: when the first interval begins, in u. Else: how many there are. Negative where no sample is inside the
-// map.
+// map. SEEN_BY_LIGHT: the map, as a square in the middle of the picture, each pixel the texel that holds its centre;
+// negative beside it.
 layout(location = 0) out float outputValue;
 
+#ifdef SEEN_BY_LIGHT
+void main() {
+    vec2 size = vec2(frame.imageSize);
+    float side = min(size.x, size.y);
+    vec2 position = (gl_FragCoord.xy - 0.5 * (size - side)) / side;
+    ivec2 texel = ivec2(floor(position * lightView.size));
+    outputValue = insideMap(texel) ? float(summaryOf(texel).entries) : -1.0;
+}
+#else
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     float sum = 0.0, count = 0.0;
@@ -26,3 +36,4 @@ void main() {
     }
     outputValue = count > 0.0 ? sum / count : -1.0;
 }
+#endif

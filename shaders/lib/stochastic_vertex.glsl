@@ -13,6 +13,7 @@
 #endif
 
 uniform uint stratum;
+uniform float stratumLength;  // u
 
 out gl_PerVertex {
     vec4 gl_Position;
@@ -54,8 +55,8 @@ void outputTriangle(MovingTriangle t, uint id) {
 
 // Where in the image the triangle may be seen during this stratum.
 SweptBounds stratumBounds(bool doubleSided) {
-    float begin = frame.timeBase + float(stratum) * frame.timeScale;
-    float end = begin + frame.timeScale;
+    float begin = frame.timeBase + float(stratum) * stratumLength;
+    float end = begin + stratumLength;
     vec3 a0 = mix(open0.xyz, close0, begin), b0 = mix(open0.xyz, close0, end);
     vec3 a1 = mix(open1, close1, begin), b1 = mix(open1, close1, end);
     vec3 a2 = mix(open2, close2, begin), b2 = mix(open2, close2, end);

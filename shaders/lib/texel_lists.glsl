@@ -1,7 +1,7 @@
 // Lists of time intervals, one list per texel of the shadow map: what lookups and views of every such technique share.
 #include "lib/light_map.glsl"
 
-int listNumber(ivec2 texel) { return texel.y * int(frame.mapSize) + texel.x; }
+int listNumber(ivec2 texel) { return texel.y * int(frame.mapWidth) + texel.x; }
 
 // First entry of a list and the one behind its last. `offsets`: where each list begins, and behind the last where it
 // ends.

@@ -2,7 +2,8 @@
 // drawn by the vertex shader only has to be large enough.
 //
 // OUTPUT_ID: write the triangle's number. OUTPUT_DYNAMIC_PIXELS: and 1 where a triangle is seen in any stratum.
-// OUTPUT_DEPTH_VELOCITY: write how fast the depth changes that this pixel sees of the triangle.
+// OUTPUT_DEPTH_RATE: write how fast the depth changes that this pixel sees of the triangle.
+// OUTPUT_DEPTH_VELOCITY: write how fast the depth changes of the point of the triangle that it sees.
 #include "lib/blocks.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
@@ -14,6 +15,7 @@
 #endif
 
 uniform uint stratum;
+uniform float stratumLength;  // u
 
 flat in vec4 open0;
 flat in vec3 open1;
@@ -28,8 +30,8 @@ layout(location = 0) out uint outputId;
 #ifdef OUTPUT_DYNAMIC_PIXELS
 layout(location = 1) out float outputDynamicPixel;
 #endif
-#elif defined(OUTPUT_DEPTH_VELOCITY)
-layout(location = 0) out float outputDepthVelocity;
+#elif defined(OUTPUT_DEPTH_RATE) || defined(OUTPUT_DEPTH_VELOCITY)
+layout(location = 0) out float outputDepthChange;
 #endif
 
 struct Sample {
@@ -44,7 +46,7 @@ Sample sampleOf(uvec2 pixel) {
 #else
     vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA);
 #endif
-    float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
+    float u = sampleTime(frame.timeBase, stratumLength, stratum, pattern.z);
     return Sample((vec2(pixel) + pattern.xy) / view.size, u);
 }
 
@@ -71,10 +73,10 @@ vec3 edgesOf(Vertices v, Sample s, out float rayLength) {
     return e;
 }
 
-#ifdef OUTPUT_DEPTH_VELOCITY
+#ifdef OUTPUT_DEPTH_RATE
 // Change of the depth at the sample's position per u. Within the stratum the depth can't change by more than the
 // vertices' depths differ in it.
-float depthVelocity(Vertices v, Sample s) {
+float depthRate(Vertices v, Sample s) {
     vec3 d0 = close0 - open0.xyz, d1 = close1 - open1, d2 = close2 - open2;
     vec3 z = vec3(v.v0.z, v.v1.z, v.v2.z), zRate = vec3(d0.z, d1.z, d2.z);
     vec2 p = s.position;
@@ -84,10 +86,10 @@ float depthVelocity(Vertices v, Sample s) {
     float rate = depthRateAtPlace(v.v0.xy - p * v.v0.z, v.v1.xy - p * v.v1.z, v.v2.xy - p * v.v2.z, d0.xy - p * d0.z,
                                   d1.xy - p * d1.z, d2.xy - p * d2.z, z, zRate);
 #endif
-    float begin = frame.timeBase + float(stratum) * frame.timeScale - s.u, end = begin + frame.timeScale;
+    float begin = frame.timeBase + float(stratum) * stratumLength - s.u, end = begin + stratumLength;
     vec3 first = z + begin * zRate, last = z + end * zRate, low = min(first, last), high = max(first, last);
     float most = max(max(high.x, high.y), high.z) - min(min(low.x, low.y), low.z);
-    return clamp(rate, -most / frame.timeScale, most / frame.timeScale);
+    return clamp(rate, -most / stratumLength, most / stratumLength);
 }
 #endif
 
@@ -119,7 +121,9 @@ void main() {
 #ifdef OUTPUT_DYNAMIC_PIXELS
     outputDynamicPixel = 1.0;
 #endif
+#elif defined(OUTPUT_DEPTH_RATE)
+    outputDepthChange = depthRate(v, s);
 #elif defined(OUTPUT_DEPTH_VELOCITY)
-    outputDepthVelocity = depthVelocity(v, s);
+    outputDepthChange = dot(e, vec3(close0.z - open0.z, close1.z - open1.z, close2.z - open2.z)) / sum;
 #endif
 }

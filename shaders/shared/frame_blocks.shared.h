@@ -59,8 +59,8 @@ struct FrameBlock {
     uint strata;         // camera samples per pixel
     uint seed;
     uvec2 imageSize;
-    uint mapSize;  // texels along a side of the shadow map
-    float weight;  // share of this render in the picture: 1 / renders
+    uint mapWidth;  // texels in a row of the shadow map
+    float weight;   // share of this render in the picture: 1 / renders
 };
 
 /// How vertices become what a rasteriser with a sample in space and time needs: view coordinates (X, Y, Z) that are

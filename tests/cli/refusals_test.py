@@ -22,7 +22,8 @@ class BadArguments(ProgramTest):
         numbers = ("nan", "inf", "-inf", "one", " 3", "3 ", "0x10", "1e999", "3;", "")
         cases = {
             "--spp": ("0", "-1", "33", "8.5", "8x", "99999999999999999999", *numbers),
-            "--map": ("0", "15", "8193", "-512", "512.5", *numbers),
+            "--map": ("0", "15", "8193", "-512", "512.5", "1024x", "x768", "1024x15", "8193x64", "64x64x64", "64X64",
+                      *numbers),
             "--seed": ("-1", "1.5", "4294967296", *numbers),
             "--device": ("-1", "1001", "0.5", *numbers),
             "--frames": ("0", "-3", "100001", "2.5", *numbers),
@@ -54,7 +55,7 @@ class BadArguments(ProgramTest):
                         "tsm.bias=-1",
                         "tsm.bias=64.5", "tsm.bias=1 ", "tsm.bias= 1", "tsm.bias=0x1", "tsm.bias=1,5", "tsm.=1",
                         "tsm.Bias=1",
-                        "tsm.nonsense=1", "nonsense.bias=1", "tsm.dynamic_bias=maybe", "tsm.dynamic_bias=2",
+                        "tsm.nonsense=1", "nonsense.bias=1", "tsm.dynamic_bias=maybe", "tsm.dynamic_bias=3",
                         "tsm.dynamic_bias=",
                         "static.pcf_radius=4", "static.pcf_radius=1.5", "accumulation.renders=0",
                         "accumulation.renders=5000",

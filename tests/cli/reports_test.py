@@ -202,7 +202,7 @@ class Manifests(ProgramTest):
                       "frame": 12.0}
             self.assertEqual({key: report[key] for key in wanted}, wanted)
             self.assertEqual(report["settings"]["bias"], 0.25)
-            self.assertIs(report["settings"]["dynamic_bias"], True)
+            self.assertEqual(report["settings"]["dynamic_bias"], "both_times")
             self.assertIn("slope_bias", report["settings"])
             self.assertIn(context, report["gl"]["back_end"].lower())
             for key in ("vendor", "renderer", "version"):

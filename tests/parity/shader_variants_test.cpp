@@ -24,16 +24,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every combination of a technique's switches, with each of its whole numbers of few values varied in turn (the others
-/// at their defaults), or all together where that makes few. All other settings are uniforms; the number of renders is
-/// the least, since it changes no shader.
+/// Of a number, its least value, the one after it and its greatest; of a choice, every one.
+std::vector<double> variedValues(const Setting& setting) {
+    std::vector<double> values;
+    for (double value = setting.minimum; value <= setting.maximum; value += 1.0)
+        if (setting.isChoice() || value <= setting.minimum + 1.0 || value == setting.maximum) values.push_back(value);
+    return values;
+}
+
+/// Every combination of a technique's switches, with each of its choices and whole numbers of few values varied in turn
+/// (the others at their defaults), or all together where that makes few. All other settings are uniforms; the number of
+/// renders is the least, since it changes no shader.
 void forEveryCombination(Technique& technique, const std::function<void()>& draw) {
     std::vector<Setting> switches, numbers;
     std::size_t together = 1;
     for (Setting& setting : settingsOf(technique)) {
         if (setting.isSwitch() || (setting.isWhole() && setting.maximum - setting.minimum <= 8.0)) {
             (setting.isSwitch() ? switches : numbers).push_back(setting);
-            together *= static_cast<std::size_t>(setting.maximum - setting.minimum) + 1;
+            together *= variedValues(setting).size();
         } else if (setting.key == "renders") {
             setting.set(2.0);
         }
@@ -41,7 +49,7 @@ void forEveryCombination(Technique& technique, const std::function<void()>& draw
     const auto vary = [](std::vector<Setting>& settings, const std::function<void()>& then) {
         const std::function<void(std::size_t)> from = [&](std::size_t index) {
             if (index == settings.size()) return then();
-            for (double value = settings[index].minimum; value <= settings[index].maximum; value += 1.0) {
+            for (const double value : variedValues(settings[index])) {
                 settings[index].set(value);
                 from(index + 1);
             }

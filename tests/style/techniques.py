@@ -56,7 +56,7 @@ ABOUT = {
     "tests/unit/chart_test.cpp": ("exact", "tsm"),
     "tests/unit/include_arrows_test.cpp": ("accumulation", "static", "tsm"),
     "tests/unit/options_text_test.cpp": ("ranges", "tsm"),
-    "tests/unit/settings_test.cpp": ("accumulation", "tsm"),
+    "tests/unit/settings_test.cpp": ("accumulation", "ranges", "tsm"),
     "tests/unit/sweep_report_test.cpp": ("accumulation", "exact", "static", "tsm"),
     "tests/verify/commands_test.py": ("accumulation", "history", "static", "tsm"),
     "tests/verify/dump_test.py": ("tsm",),

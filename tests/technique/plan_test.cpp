@@ -86,14 +86,15 @@ std::string disturb(Sequence& s, AwkwardNumbers& numbers) {
     case 0: s.request.frame = static_cast<double>(numbers.below(EventfulScene::frames)); return "seek";
     case 1: s.request.shutter.length = numbers.oneIn(2) ? 0.0 : 0.6; return "shutter";
     case 2: s.request.width = numbers.oneIn(2) ? 40 : 33; return "size";
-    case 3: s.request.mapSize = numbers.oneIn(2) ? 256 : 192; return "map";
+    case 3: s.request.mapSize = numbers.oneIn(2) ? MapSize(256) : MapSize(192, 128); return "map";
     case 4: s.request.samplesPerPixel = numbers.oneIn(2) ? 4 : 2; return "spp";
     case 5: s.request.seed = numbers.below(3); return "seed";
     case 6: s.choose(techniques[numbers.below(static_cast<std::uint32_t>(techniques.size()))]); return "technique";
     case 7: s.choose(numbers.word(), numbers.oneIn(4)); return "scene";
     case 8:
         if (hasSetting(*s.planned, "pcf_radius")) s.set("pcf_radius", numbers.oneIn(2) ? "1" : "0");
-        if (hasSetting(*s.planned, "dynamic_bias")) s.set("dynamic_bias", numbers.oneIn(2) ? "1" : "0");
+        if (hasSetting(*s.planned, "dynamic_bias")) s.set("dynamic_bias", std::to_string(numbers.below(3)));
+        if (hasSetting(*s.planned, "as_published")) s.set("as_published", numbers.oneIn(3) ? "on" : "off");
         if (hasSetting(*s.planned, "bias")) s.set("bias", numbers.oneIn(2) ? "0.5" : "1.5");
         return "setting";
     case 9: s.request.useCaches = !s.request.useCaches; return "keeping";

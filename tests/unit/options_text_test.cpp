@@ -88,6 +88,7 @@ PictureOptions randomState(int seed) {
     options.height = 1 + dice.below(2000);
     options.samplesPerPixel = 1 + dice.below(32);
     options.mapSize = 16 + dice.below(8000);
+    if (dice.yes()) options.mapSize.height = 16 + dice.below(8000);
     options.seed = static_cast<unsigned>(dice.share() * 4294967295.0);
     options.frame = dice.yes() ? dice.below(100) - 50 : 1000.0 * dice.share() - 500.0;
     options.framesPerSecond = 0.1 + 100.0 * dice.share();

@@ -28,7 +28,8 @@ TEST(RangesPrediction, ThePublishedFormFailsByTheseNumbers) {
     // All depths are equal, so the caps make one range: dark all the time.
     EXPECT_NEAR(predicted("on", "flip_triangle"), 0.0, 0.02);
     EXPECT_NEAR(predicted("on", "invert_triangle"), 0.0, 0.02);
-    // A translation across the light is right.
+    // A translation across the light is right, and so is a light that recedes: vertices are in view space.
+    EXPECT_NEAR(predicted("on", "light_recedes"), 2.0 / 3.0, 0.02);
     EXPECT_NEAR(predicted("on", "quad_sweeps_point"), 0.6, 0.02);
     // 1 / distance goes from 1/2 to 1/20, and is 1/11 at u = (1/2 - 1/11) / (1/2 - 1/20) = 1/1.1.
     EXPECT_NEAR(predicted("on", "ndc_range_lerp"), 1.0 - 1.0 / 1.1, 0.01);

@@ -62,7 +62,8 @@ TEST(SceneRecipes, EveryDeclarationIsWhole) {
         EXPECT_FALSE(settings.empty());
         for (const Setting& setting : settings) {
             SCOPED_TRACE(description.name + "." + setting.key);
-            EXPECT_EQ(setting.get(), setting.defaultValue) << "a new recipe starts with its defaults";
+            EXPECT_FLOAT_EQ(static_cast<float>(setting.get()), static_cast<float>(setting.defaultValue))
+                << "a new recipe starts with its defaults";
             EXPECT_TRUE(setting.minimum <= setting.defaultValue && setting.defaultValue <= setting.maximum);
         }
         EXPECT_THROW(setFromText(*recipe, "nonsense", "1"), UsageError);

@@ -33,6 +33,7 @@ class Settings : public testing::Test {
 
     gl::ProgramCache programs_;  // OpenGL is touched only when a technique draws
     std::unique_ptr<Technique> tsm_ = makeTechnique("tsm", programs_);
+    std::unique_ptr<Technique> ranges_ = makeTechnique("ranges", programs_);
     std::unique_ptr<Technique> accumulation_ = makeTechnique("accumulation", programs_);
 };
 
@@ -112,15 +113,31 @@ TEST_F(Settings, WholeNumbersAreWhole) {
 TEST_F(Settings, SwitchesAreOnOrOff) {
     for (const auto& [text, state] :
          {std::pair{"on", 1.0}, {"off", 0.0}, {"true", 1.0}, {"false", 0.0}, {"1", 1.0}, {"0", 0.0}}) {
-        EXPECT_EQ(refusal(*tsm_, "dynamic_bias", text), "");
-        EXPECT_EQ(settingOf(*tsm_, "dynamic_bias").get(), state) << text;
+        EXPECT_EQ(refusal(*ranges_, "as_published", text), "");
+        EXPECT_EQ(settingOf(*ranges_, "as_published").get(), state) << text;
     }
-    EXPECT_EQ(refusal(*tsm_, "dynamic_bias", "on"), "");
+    EXPECT_EQ(refusal(*ranges_, "as_published", "on"), "");
     for (const char* text : {"", "2", "0.5", "ON", "yes", "maybe", "on "}) {
-        const std::string line = refusal(*tsm_, "dynamic_bias", text);
-        EXPECT_EQ(line, "--set tsm.dynamic_bias=" + std::string(text) + ": expected on or off");
-        EXPECT_EQ(settingOf(*tsm_, "dynamic_bias").get(), 1.0);
+        const std::string line = refusal(*ranges_, "as_published", text);
+        EXPECT_EQ(line, "--set ranges.as_published=" + std::string(text) + ": expected on or off");
+        EXPECT_EQ(settingOf(*ranges_, "as_published").get(), 1.0);
     }
+}
+
+/// It was a switch once, which files and scripts of that time still have.
+TEST_F(Settings, AChoiceThatWasASwitchIsStillSwitched) {
+    for (const auto& [text, name] : {std::pair{"on", "both_times"},
+                                     {"true", "both_times"},
+                                     {"1", "both_times"},
+                                     {"off", "off"},
+                                     {"false", "off"},
+                                     {"0", "off"},
+                                     {"eq12", "eq12"}}) {
+        EXPECT_EQ(refusal(*tsm_, "dynamic_bias", text), "");
+        EXPECT_EQ(textOf(settingOf(*tsm_, "dynamic_bias")), name) << text;
+    }
+    EXPECT_EQ(refusal(*tsm_, "dynamic_bias", "maybe"),
+              "--set tsm.dynamic_bias=maybe: expected one of off, both_times, eq12");
 }
 
 TEST_F(Settings, UnknownKeysListTheKnownOnes) {

@@ -23,8 +23,10 @@ TEST(TsmPrediction, SelfShadowDependsOnTheBias) {
 }
 
 TEST(TsmPrediction, TheDynamicBiasEndsTheSelfShadow) {
-    EXPECT_NEAR(predicted("on", "0", 8), 1.0, 1e-9);
-    EXPECT_NEAR(predicted("on", "0.5", 2), 1.0, 1e-9);
+    for (const char* form : {"both_times", "eq12"}) {
+        EXPECT_NEAR(predicted(form, "0", 8), 1.0, 1e-9) << form;
+        EXPECT_NEAR(predicted(form, "0.5", 2), 1.0, 1e-9) << form;
+    }
 }
 
 }  // namespace

@@ -179,11 +179,11 @@ TEST(PreviewQuality, NeverAsksForNothing) {
     const PreviewQuality quality(true);
     FrameRequest tiny;
     tiny.width = tiny.height = tiny.samplesPerPixel = 1;
-    tiny.mapSize = minimumMapSize;
+    tiny.mapSize = minimumMapSide;
     for (int level = 0; level < PreviewQuality::levels; ++level) {
         const FrameRequest drawn = quality.reduced(tiny, level);
         EXPECT_EQ(std::min({drawn.width, drawn.height, drawn.samplesPerPixel}), 1);
-        EXPECT_EQ(drawn.mapSize, minimumMapSize);
+        EXPECT_EQ(drawn.mapSize, minimumMapSide);
     }
 }
 

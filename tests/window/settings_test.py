@@ -190,8 +190,8 @@ class Settings(WindowTest):
         self.assertNotEqual(window.drag_slider("shutter", 0.9), shutter)
         window.choose("map", "128 × 128")
         window.wait(lambda dump: "map 128" in dump["widgets"]["status"]["value"], "the other map")
-        window.click("tsm.dynamic_bias")
-        window.wait(lambda dump: dump["widgets"]["tsm.dynamic_bias"]["value"] is True, "the switch")
+        window.choose("tsm.dynamic_bias", "both_times")
+        window.wait(lambda dump: dump["widgets"]["tsm.dynamic_bias"]["value"] == "both_times", "the choice")
         self.assertEqual(window.settle()["state"]["picture"], "complete")
         self.close(window)
 
@@ -243,7 +243,7 @@ class Settings(WindowTest):
     def test_more_than_the_device_has(self):
         """16 GiB of maps. Where that fails it is said, and everything goes on from there."""
         window = self.open("pillars", "--technique", "tsm", *QUICK, "--map", "8192", "--spp", "32", "--set",
-                           "tsm.dynamic_bias=on")
+                           "tsm.dynamic_bias=both_times")
         state = window.settle()["state"]
         if state["picture"] == "failed":
             window.wait(lambda dump: "failure" in dump["widgets"], "the reason")

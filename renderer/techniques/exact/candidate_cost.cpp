@@ -80,7 +80,7 @@ CandidateGridSize chooseCandidateGrid(const FramePlan& plan, const std::vector<s
 
     CandidateGridSize best;
     double lowest = 1e300;
-    const int highestSide = std::min(plan.request.mapSize, 1024);
+    const int highestSide = std::min(plan.request.mapSize.longerSide(), 1024);
     for (int s = side > 0 ? side : 16; s <= (side > 0 ? side : highestSide); s *= 2) {
         for (int b = fewest; b <= std::max(fewest, most); b *= 2) {
             const double cells = static_cast<double>(s) * s;

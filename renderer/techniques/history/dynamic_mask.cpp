@@ -27,7 +27,7 @@ std::vector<std::uint32_t> dynamicCastersBetween(const MeshTexels& before, const
 void DynamicMask::draw(const TechniqueFrame& frame, const gl::Texture& previousPositions,
                        std::span<const std::uint32_t> dynamicCasters) {
     const FramePlan& plan = frame.plan;
-    const int size = sideFor(plan.request.mapSize);
+    const int size = sideFor(plan.request.mapSize.longerSide());
     if (!depth_ || depth_->width() != size) {
         depth_ = gl::Texture::array2D("mask of dynamic casters", GL_DEPTH_COMPONENT32F, size, size, 1);
         target_.emplace("mask of dynamic casters target");

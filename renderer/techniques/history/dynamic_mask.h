@@ -24,7 +24,7 @@ class DynamicMask {
     void draw(const TechniqueFrame& frame, const gl::Texture& previousPositions,
               std::span<const std::uint32_t> dynamicCasters);
     /// Texels along a side for a shadow map of the given size.
-    static int sideFor(int mapSize) { return mapSize / 2; }
+    static int sideFor(int longSide) { return longSide / 2; }  ///< of the map
     const gl::Texture& depth() const { return *depth_; }
     /// A buffer's view, R8UI: 1 for every triangle of the list drawn last.
     const gl::Texture& flags() const { return *flagsView_; }

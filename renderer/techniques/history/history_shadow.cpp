@@ -235,7 +235,7 @@ shared::HistoryBlock HistoryShadow::blockOf(const FramePlan& plan) const {
     block.awaitsProof = block.keepsProof != 0u && transition_.staticFrames > 0 ? 1u : 0u;
     block.dynamicMaskSize = transition_.dynamicCasters.empty() || asPublished_
                                 ? 0.0f
-                                : static_cast<float>(DynamicMask::sideFor(plan.request.mapSize));
+                                : static_cast<float>(DynamicMask::sideFor(plan.request.mapSize.longerSide()));
     return block;
 }
 

@@ -99,12 +99,13 @@ double radicalInverse(std::uint32_t base, std::uint32_t index) {
 
 glm::dmat3 mapRaster(const FramePlan& plan, MapFit fit, MapJitter jitter, std::uint32_t index) {
     if (jitter == MapJitter::None && fit == MapFit::Light) return glm::dmat3(1.0);
-    const double texel = 1.0 / plan.request.mapSize;
+    const glm::dvec2 texels = 1.0 / plan.request.mapSize.sides();
+    const double texel = std::max(texels.x, texels.y);
     const double angle = jitter == MapJitter::ShiftAndTurn ? rightAngle * radicalInverse(5, index + 1) : 0.0;
     const glm::dvec2 shift =
         jitter == MapJitter::None
             ? glm::dvec2(0.0)
-            : (glm::dvec2(radicalInverse(2, index + 1), radicalInverse(3, index + 1)) - 0.5) * texel;
+            : (glm::dvec2(radicalInverse(2, index + 1), radicalInverse(3, index + 1)) - 0.5) * texels;
     std::vector<glm::dvec3> body;
     // What a camera sees on its way is more than what it sees at both ends.
     if (fit != MapFit::Light && !plan.motion.cameraMoves) body = seenBody(plan, plan.camera.open);

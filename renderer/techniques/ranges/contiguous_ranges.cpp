@@ -64,16 +64,17 @@ ContiguousRanges::ContiguousRanges(gl::ProgramCache& programs)
 }
 
 void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& motion) {
-    const auto size = static_cast<std::size_t>(frame.plan.request.mapSize);
+    const MapSize size = frame.plan.request.mapSize;
+    const std::size_t texels = size.texels();
     prisms_ = motion.dynamicCasters.size();
     GLint64 largest = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-    if ((size * size + 1) * sizeof(GLuint) > static_cast<std::size_t>(largest))
+    if ((texels + 1) * sizeof(GLuint) > static_cast<std::size_t>(largest))
         throw Error(
             fmt::format("a list for each of {} x {} texels needs blocks of {} bytes; this device's "
                         "GL_MAX_SHADER_STORAGE_BLOCK_SIZE "
                         "is {}: lower --map",
-                        size, size, (size * size + 1) * sizeof(GLuint), largest));
+                        size.width, size.height, (texels + 1) * sizeof(GLuint), largest));
     {
         const auto timed = frame.timer.scope("build/collect");
         triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");
@@ -81,9 +82,9 @@ void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& mot
             glNamedBufferSubData(triangles_.buffer().name(), 0,
                                  static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)),
                                  motion.dynamicCasters.data());
-        glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, frame.plan.request.mapSize);
-        glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, frame.plan.request.mapSize);
-        lists_.beginCount(size * size);
+        glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size.width);
+        glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
+        lists_.beginCount(texels);
         drawPrisms(frame, false);
         places_ = lists_.scan(2);
         for (gl::GrowingBuffer* field : {&ids_, &times_, &distances_, &slopes_})
@@ -102,9 +103,9 @@ void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& mot
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RANGES_COUNTS_BINDING, counts_.name());
     const gl::Program& program =
         programs_.get({.label = "ranges generate", .compute = "techniques/ranges/generate.comp"});
-    program.use(gl::Inputs().set("texels", static_cast<std::uint32_t>(size * size)));
+    program.use(gl::Inputs().set("texels", static_cast<std::uint32_t>(texels)));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    if (places_ > 0) gl::dispatch(gl::groupsFor(size * size, 64));
+    if (places_ > 0) gl::dispatch(gl::groupsFor(texels, 64));
     CellLists::finishFill();
 }
 
@@ -117,7 +118,7 @@ void ContiguousRanges::drawPrisms(const TechniqueFrame& frame, bool fill) {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    target_.bindForDrawing(frame.plan.request.mapSize, frame.plan.request.mapSize);
+    target_.bindForDrawing(frame.plan.request.mapSize.width, frame.plan.request.mapSize.height);
     program.use(gl::Inputs().texture("prismTriangles", triangles_.texels()));
     glBindVertexArray(none_.name());
     for (std::size_t first = 0; first < prisms_; first += prismsPerCall) {

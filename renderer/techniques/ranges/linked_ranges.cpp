@@ -35,8 +35,8 @@ LinkedRanges::LinkedRanges(gl::ProgramCache& programs)
 }
 
 void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion) {
-    const int size = frame.plan.request.mapSize;
-    texels_ = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    const MapSize size = frame.plan.request.mapSize;
+    texels_ = size.texels();
     prisms_ = motion.dynamicCasters.size();
     triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");
     if (prisms_ > 0)
@@ -46,8 +46,8 @@ void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion)
     rangeHeads_.reserve(texels_, advice);
     fragmentList_.reserve(std::max<std::size_t>(std::min(fragments_, capacity_), 1),
                           advice);  // as many as the last frame had room for
-    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
-    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size.width);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
     {
         const auto timed = frame.timer.scope("build/collect");
         collect(frame);
@@ -62,7 +62,7 @@ void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion)
 }
 
 void LinkedRanges::collect(const TechniqueFrame& frame) {
-    const int size = frame.plan.request.mapSize;
+    const MapSize size = frame.plan.request.mapSize;
     const GLuint none = NO_INTERVAL;
     const DeviceCounts zero;
     glClearNamedBufferData(heads_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
@@ -81,7 +81,7 @@ void LinkedRanges::collect(const TechniqueFrame& frame) {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    target_.bindForDrawing(size, size);
+    target_.bindForDrawing(size.width, size.height);
     program.use(gl::Inputs()
                     .texture("prismTriangles", triangles_.texels())
                     .set("capacity", static_cast<std::uint32_t>(capacity_)));

@@ -8,14 +8,15 @@
 
 namespace timeshade {
 
-/// The published form (Hong and Oh 2019, section 4): a geometry shader makes prisms, with the special case of edges
-/// that cross in the image; linked lists of 16-byte fragments; a pass over all texels sorts the fragments of a triangle
-/// by depth and links 24-byte ranges. Times, positions and NDC depths are interpolated linearly in the map. Our choices
-/// where the paper is silent: the map travels with a moving light; buffers start small and the collection is drawn
-/// again if they must grow (the paper's have a fixed size); an unpaired fragment of a triangle is dropped. Known
-/// failures: a triangle that covers a texel twice at one depth (pairs by depth); distance that changes much during a
-/// range (NDC depth is not linear in time); a light that approaches or recedes (neither are positions); gaps at
-/// crossing edges; the near plane.
+/// The published form (Hong and Oh 2019, section 4): a geometry shader makes prisms of six vertices in view space, with
+/// the special case of edges that cross on the screen; linked lists of 16-byte fragments; a pass over all texels sorts
+/// the fragments of a triangle by depth and links 24-byte ranges. Times are interpolated with perspective, depths are
+/// as rasterised, and linear in time along a range. Still triangles have prisms, too: two caps that coincide, a range
+/// of the whole shutter. Our choices where the paper is silent: the map travels with a moving light; buffers start
+/// small and the collection is drawn again if they must grow (the paper's have a fixed size); an unpaired fragment of a
+/// triangle is dropped, as are those beyond four. Known failures: neighbours on one surface shadow each other (numbers
+/// keep a triangle from shadowing itself alone); a triangle that covers a texel twice at one depth (pairs by depth);
+/// distance that changes much during a range (NDC depth is not linear in time); gaps at crossing edges; the near plane.
 class LinkedRanges final : public RangeLists {
   public:
     explicit LinkedRanges(gl::ProgramCache& programs);

@@ -16,7 +16,7 @@ struct PrismPoint {
     dvec3 inMap;  ///< as in PathInMap
     double time;
 
-    bool isCap() const { return static_cast<float>(time) == 0.0f || static_cast<float>(time) == 1.0f; }
+    bool isCap() const { return std::min(time, 1.0 - time) < 1e-6; }
     double inverseDistance() const { return 1.0 / inMap.z; }  ///< NDC depth is linear in it
     dvec3 projected() const { return dvec3(dvec2(inMap), 1.0) / inMap.z; }
 };
@@ -35,7 +35,7 @@ class PrismPoints {
         const TriangleInMap face{{{a.inMap, a.inMap}, {b.inMap, b.inMap}, {c.inMap, c.inMap}}};
         const PlaneHit hit = hitOf(face, position_, 0.0);
         if (!hit.inside || hit.distance < nearDistance_) return;
-        points_.push_back({dvec3(position_, 1.0) * hit.distance, glm::dot(hit.weights, dvec3(a.time, b.time, c.time))});
+        points_.push_back({dvec3(position_, 1.0) * hit.distance, glm::dot(hit.inSpace, dvec3(a.time, b.time, c.time))});
     }
 
     /// Two faces about the point where the edge ab crosses its moved copy dc in the map, else four about the centre.
@@ -46,13 +46,12 @@ class PrismPoints {
         const double whole = area(ab, dc), s = area(dc, pa - pd) / whole, t = area(ab, pa - pd) / whole;
         const bool parallel = std::abs(whole) <= 1e-5 * glm::length(dvec2(ab)) * glm::length(dvec2(dc));
         if (inFront && !parallel && s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) {
-            const PrismPoint crossing{unprojected(0.5 * (pa + s * ab + pd + t * dc)), 0.5};
+            const PrismPoint crossing{0.5 * (unprojected(pa + s * ab) + unprojected(pd + t * dc)), 0.5};
             addFace(a, d, crossing);
             addFace(b, c, crossing);
             return;
         }
-        const PrismPoint centre{
-            inFront ? unprojected(0.25 * (pa + pb + pc + pd)) : 0.25 * (a.inMap + b.inMap + c.inMap + d.inMap), 0.5};
+        const PrismPoint centre{0.25 * (a.inMap + b.inMap + c.inMap + d.inMap), 0.5};
         addFace(a, b, centre);
         addFace(b, c, centre);
         addFace(c, d, centre);
@@ -78,11 +77,8 @@ class PrismPoints {
 }  // namespace
 
 std::optional<double> PublishedRangesPrediction::casterDistance(const ReceiverInMap& receiver, std::size_t caster,
-                                                                const dvec2& position, double u, double v) const {
+                                                                const dvec2& position, double u, double) const {
     const PathInMap(&corners)[3] = receiver.triangles[caster].corners;
-    // Static triangles are in an ordinary map.
-    if (std::all_of(std::begin(corners), std::end(corners), [](const PathInMap& c) { return c.open == c.close; }))
-        return Prediction::casterDistance(receiver, caster, position, u, v);
     if (caster == receiver.own) return std::nullopt;
     PrismPoint open[3], close[3];
     for (int i = 0; i < 3; ++i) {

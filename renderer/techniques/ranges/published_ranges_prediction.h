@@ -5,8 +5,8 @@
 namespace timeshade {
 
 /// What LinkedRanges holds of a triangle at a texel's centre, in double precision: the points of its prism there, with
-/// times and NDC depths linear over the map, sorted by depth; a range for every two of the first four, with NDC depths
-/// linear in time. A receiver's own triangle is left out.
+/// times linear over its faces and NDC depths linear over the map, sorted by depth; a range for every two of the first
+/// four, with NDC depths linear in time. A receiver's own triangle is left out.
 class PublishedRangesPrediction final : public Prediction {
   public:
     /// Of ranges that hold u, the nearest.

@@ -38,16 +38,28 @@ void RangesShadow::visitSettings(SettingsVisitor& visitor) {
                    "with them real contacts.");
     visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
                    "Further bias in proportion to how steeply the surface falls away from the light.");
+    visitor.whole("pcf_radius", pcfRadius_, 0, 0, 3, "texels",
+                  "Percentage-closer filtering: the test is made in (2n + 1) x (2n + 1) texels and averaged. Hides the "
+                  "map's steps, costs that many lists.");
     visitor.toggle("as_published", asPublished_, false,
-                   "The paper taken literally, its mistakes included: linked lists, pairs by depth, depths and times "
-                   "linear in the map.");
+                   "As the paper states it: every triangle has a prism, fragments in linked lists are paired by depth, "
+                   "depths are as rasterised, and numbers of triangles take the place of a bias.");
+    visitor.number("published_bias", publishedBias_, 0.0, 0.0, 64.0, "texels",
+                   "As published only, in place of bias. The paper has none; above 0, to see what that would hide, "
+                   "slope_bias counts as well.");
+}
+
+Footprint RangesShadow::footprint() const {
+    Footprint footprint;
+    footprint.filterTexels = Footprint::filterOf(pcfRadius_);
+    return footprint;
 }
 
 SamplingTraits RangesShadow::samplingTraits() const {
     // Each side is extended across the texel on its own: another cut of a surface has other sides. A few per mille are
     // seen to change.
     return {.texelCentres = true,
-            .biasTexels = static_cast<double>(bias_),
+            .biasTexels = static_cast<double>(asPublished_ ? publishedBias_ : bias_),
             .triangulationError = asPublished_ ? 0.0 : 0.005};
 }
 
@@ -58,13 +70,14 @@ std::shared_ptr<const Prediction> RangesShadow::prediction() const {
 std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
     const LightMotion& motion = plan.casters;
     std::vector<PassDecision> passes;
-    if (!motion.staticCasters.empty())
+    if (!motion.staticCasters.empty() && !asPublished_)
         passes.push_back(
             {"build/static map",
              "an ordinary map of what stands still in the light's frame, kept until something of it changes",
              motion.staticCasters.size()});
     std::string reason = motion.dynamicCasters.empty() ? "nothing moves in the light's frame: no prisms"
                                                        : "a prism for each triangle that moves in the light's frame";
+    if (asPublished_) reason = "a prism for each triangle, also for those that stand still";
     if (motion.nonTranslating > 0)
         reason += fmt::format(
             "; {} of them turn or deform, so their sides are not flat and their times are off by some thousandths of "
@@ -72,7 +85,7 @@ std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
             motion.nonTranslating);
     reason += asPublished_ ? "; fragments of one triangle are paired by depth"
                            : "; fragments of one triangle are paired by time";
-    passes.push_back({"build", reason, motion.dynamicCasters.size()});
+    passes.push_back({"build", reason, listed(plan).dynamicCasters.size()});
     std::string lookup = "each camera sample against the ranges of its texel that hold its time";
     if (!motion.nearPlane.empty())
         lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane",
@@ -86,11 +99,9 @@ std::vector<PassDecision> RangesShadow::passes(const FramePlan& plan) const {
 LightMotion RangesShadow::listed(const FramePlan& plan) const {
     LightMotion motion = plan.casters;
     if (!asPublished_) return motion;
-    // The paper knows no near plane: such prisms are clipped and stay open.
-    const auto middle = static_cast<std::ptrdiff_t>(motion.dynamicCasters.size());
-    motion.dynamicCasters.insert(motion.dynamicCasters.end(), motion.nearPlane.begin(), motion.nearPlane.end());
-    std::inplace_merge(motion.dynamicCasters.begin(), motion.dynamicCasters.begin() + middle,
-                       motion.dynamicCasters.end());
+    // "We render all geometries" (section 4). The paper knows no near plane: such prisms are clipped and stay open.
+    motion.dynamicCasters = allOf(motion);
+    motion.staticCasters.clear();
     motion.nearPlane.clear();
     return motion;
 }
@@ -100,7 +111,8 @@ void RangesShadow::build(const TechniqueFrame& frame) {
     staticCasters_ = motion.staticCasters.size();
     moving_ = motion.dynamicCasters.size();
     nonTranslating_ = motion.nonTranslating;
-    {
+    staticMap_ = nullptr;
+    if (!asPublished_) {
         const auto timed = frame.timer.scope("build/static map");
         staticMap_ = &frame.maps.ofStaticCasters(LightMaps::Coverage::Rasterized);
     }
@@ -124,8 +136,9 @@ void RangesShadow::buildLists(const TechniqueFrame& frame, const LightMotion& mo
 LookupProgram RangesShadow::lookupProgram(const TechniqueFrame&, Casters) {
     LookupProgram lookup{"ranges lookup", "techniques/ranges/lookup.frag", {}, {}};
     if (builtAsPublished_) lookup.defines.emplace_back("AS_PUBLISHED", "1");
+    lookup.defines.emplace_back("PCF_RADIUS", fmt::format("{}", pcfRadius_));
     if (staticCasters_ > 0) lookup.defines.emplace_back("STATIC_TRIANGLES", "1");
-    lookup.inputs.texture("staticMap", *staticMap_);
+    if (staticMap_) lookup.inputs.texture("staticMap", *staticMap_);
     if (lists_) {
         lookup.defines.emplace_back("DYNAMIC_TRIANGLES", "1");
         lists_->addInputs(lookup.inputs);
@@ -139,15 +152,17 @@ LookupProgram RangesShadow::lookupProgram(const TechniqueFrame&, Casters) {
 
 std::vector<TechniqueView> RangesShadow::views() const {
     return {{"ranges", "Ranges per texel", "ranges", 0.0, 64.0, false},
+            {"light", "Ranges as the light sees them", "ranges", 0.0, 64.0, false},
             {"time", "When the first range begins", "u", 0.0, 1.0, false}};
 }
 
 void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
-    if (name != "ranges" && name != "time") return Technique::drawView(frame, name, values);
+    if (name != "ranges" && name != "light" && name != "time") return Technique::drawView(frame, name, values);
     if (!lists_) buildLists(frame, listed(frame.plan));  // empty ones, to be looked at
     gl::ShaderDefines defines = frame.defines();
     if (builtAsPublished_) defines.emplace_back("AS_PUBLISHED", "1");
     if (name == "time") defines.emplace_back("VIEW_TIME", "1");
+    if (name == "light") defines.emplace_back("SEEN_BY_LIGHT", "1");
     const gl::Program& program =
         programs_.get({"ranges view", "passes/fullscreen.vert", "techniques/ranges/view.frag", defines});
     gl::Inputs inputs;
@@ -162,11 +177,11 @@ void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name
 }
 
 std::vector<TechniqueStatistic> RangesShadow::statistics() const {
-    if (!staticMap_) return {};
+    if (!lists_ && !staticMap_) return {};
     const RangeCounts counts = lists_ ? lists_->counts() : RangeCounts{};
     const auto number = [](std::size_t n) { return static_cast<double>(n); };
     std::vector<TechniqueStatistic> statistics{
-        {"dynamic triangles", number(moving_), "", ""},
+        {builtAsPublished_ ? "triangles with a prism" : "dynamic triangles", number(moving_), "", ""},
         {"non-translating triangles", number(nonTranslating_), "",
          nonTranslating_ > 0 ? "the sides of their prisms are not flat: times are off by some thousandths" : ""},
         {"static triangles", number(staticCasters_), "", ""},
@@ -183,7 +198,7 @@ std::vector<TechniqueStatistic> RangesShadow::statistics() const {
 
 /// The ordinary map of still triangles is no part of the paper's equation, and is added.
 std::size_t RangesShadow::predictedBytes(const RangeCounts& counts) const {
-    return counts.predictedBytes + staticMap_->bytes();
+    return counts.predictedBytes + (staticMap_ ? staticMap_->bytes() : 0);
 }
 
 std::size_t RangesShadow::bytes() const { return (lists_ ? lists_->bytes() : 0) + near_.bytes(); }

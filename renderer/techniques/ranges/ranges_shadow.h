@@ -19,7 +19,7 @@ namespace timeshade {
 /// sides are bilinear, the fans that stand for them are corrected to first order, and what is left are some thousandths
 /// (means of .002, .005, .013 of the shutter at 5, 15, 45 degrees of turn; without the correction .006, .014, .027).
 /// Still triangles go to an ordinary map. Triangles that cross the light's near plane have no prism: each sample tests
-/// them exactly. `as_published` is the paper taken literally; see LinkedRanges for what is different.
+/// them exactly. `as_published` is the paper step by step: see LinkedRanges.
 class RangesShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -27,9 +27,11 @@ class RangesShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
+    Footprint footprint() const override;
     SamplingTraits samplingTraits() const override;
     std::shared_ptr<const Prediction> prediction() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
+    bool separatesStaticCasters() const override { return !asPublished_; }
     void build(const TechniqueFrame& frame) override;
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     std::vector<TechniqueView> views() const override;
@@ -44,12 +46,13 @@ class RangesShadow final : public Technique {
     std::size_t predictedBytes(const RangeCounts& counts) const;
 
     gl::ProgramCache& programs_;
-    float bias_{}, slopeBias_{};
+    float bias_{}, slopeBias_{}, publishedBias_{};
+    int pcfRadius_{};
     bool asPublished_{};
 
     bool builtAsPublished_ = false;
     std::unique_ptr<RangeLists> lists_;       ///< none where nothing moves
-    const gl::Texture* staticMap_ = nullptr;  ///< the frame's
+    const gl::Texture* staticMap_ = nullptr;  ///< the frame's; none as published
     NearTriangles near_;
     std::size_t staticCasters_ = 0, moving_ = 0, nonTranslating_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;

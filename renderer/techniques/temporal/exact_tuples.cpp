@@ -26,7 +26,7 @@ ExactTuples::ExactTuples(gl::ProgramCache& programs)
 }
 
 void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint32_t>& moving, bool coverageMap) {
-    const int size = frame.plan.request.mapSize;
+    const MapSize size = frame.plan.request.mapSize;
     covers_.set(frame.plan, moving);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl::ShaderDefines defines;
@@ -39,8 +39,8 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
     } else {
         coverage_.reset();
     }
-    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
-    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size.width);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
     glDisable(GL_DEPTH_TEST);
     const GLuint none = 0;
     glNamedBufferSubData(skipped_.name(), 0, sizeof none, &none);
@@ -56,15 +56,15 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
     {
         const auto timed = frame.timer.scope("build/count");
         reserve(1);
-        lists_.beginCount(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-        target_.bindForDrawing(size, size);
+        lists_.beginCount(size.texels());
+        target_.bindForDrawing(size.width, size.height);
         covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines,
                      gl::Inputs(inputs).set("filling", 0u));
         tuples_ = lists_.scan();
     }
     const auto timed = frame.timer.scope("build/tuples");
     reserve(tuples_);
-    target_.bindForDrawing(size, size);
+    target_.bindForDrawing(size.width, size.height);
     if (tuples_ > 0)
         covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines,
                      gl::Inputs(inputs).set("filling", 1u));
@@ -72,15 +72,15 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
 }
 
 void ExactTuples::drawCoverage(const TechniqueFrame& frame) {
-    const int size = frame.plan.request.mapSize;
-    if (!coverage_ || coverage_->width() != size) {
-        coverage_ = gl::Texture::array2D("coverage map", GL_DEPTH_COMPONENT32F, size, size, 1);
+    const MapSize size = frame.plan.request.mapSize;
+    if (!coverage_ || MapSize(coverage_->width(), coverage_->height()) != size) {
+        coverage_ = gl::Texture::array2D("coverage map", GL_DEPTH_COMPONENT32F, size.width, size.height, 1);
         coverageTarget_.attach(GL_DEPTH_ATTACHMENT, *coverage_);
     }
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     glDepthMask(GL_TRUE);
-    coverageTarget_.bindForDrawing(size, size);
+    coverageTarget_.bindForDrawing(size.width, size.height);
     const float nobody = 0.0f;
     glClearNamedFramebufferfv(coverageTarget_.name(), GL_DEPTH, 0, &nobody);
     covers_.draw(programs_, "techniques/temporal/claim.frag", {}, {});

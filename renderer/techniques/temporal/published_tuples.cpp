@@ -25,8 +25,8 @@ PublishedTuples::PublishedTuples(gl::ProgramCache& programs)
 }
 
 void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::uint32_t>& moving, bool coverageMap) {
-    const int size = frame.plan.request.mapSize;
-    texels_ = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    const MapSize size = frame.plan.request.mapSize;
+    texels_ = size.texels();
     covers_.set(frame.plan, moving);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl::ShaderDefines defines;
@@ -41,8 +41,8 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
         coverage_.reset();
     }
     const auto timed = frame.timer.scope("build/tuples");
-    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size);
-    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size.width);
+    glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
     glDisable(GL_DEPTH_TEST);
     heads_.reserve(texels_, "lower --map");
     DeviceCounts found;
@@ -57,7 +57,7 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
         heads_.bindForWriting(LINKED_HEADS_BINDING);
         tuples_.bindForWriting(LINKED_TUPLES_BINDING);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, TUPLE_COUNTS_BINDING, counts_.name());
-        target_.bindForDrawing(size, size);
+        target_.bindForDrawing(size.width, size.height);
         covers_.draw(programs_, "techniques/temporal/published_tuples.frag", defines,
                      gl::Inputs(inputs).set("capacity", static_cast<std::uint32_t>(room)));
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
@@ -97,8 +97,8 @@ TupleCounts PublishedTuples::counts() const {
                           static_cast<GLsizei>(covered.size() * sizeof(float)), covered.data());
         counts.coveredTexels = static_cast<std::size_t>(
             std::count_if(covered.begin(), covered.end(), [](float id) { return id >= 0.0f; }));
-        // Nearest map 8 bytes, coverage map twice 4 (as drawn and as reset), depth 4.
-        counts.predictedBytes += texels_ * 20;
+        // Nearest map 8 bytes, coverage map 4, depth 4.
+        counts.predictedBytes += texels_ * 16;
     }
     return counts;
 }

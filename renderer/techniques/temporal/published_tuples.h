@@ -10,11 +10,12 @@
 namespace timeshade {
 
 /// The published form (Hong and Oh 2017), with its errors: the volume that a triangle sweeps is a prism of flat
-/// triangles; per texel its first and last fragment in time make one tuple, whatever is between; times and NDC depths
-/// are linear in the map; linked lists of tuples, 20 bytes and 4 for the next; ids of the coverage map are floats. It
-/// is wrong for triangles that rotate (curved sides), that cover a texel twice, whose distance changes much within a
-/// tuple of a spot light, and at the light's near plane. The first and last fragment need no sorting here: one fragment
-/// per triangle and texel finds all those of the prism.
+/// triangles, also where the triangle stands still; per texel its first and last fragment in time make one tuple,
+/// whatever is between; times are interpolated with perspective, depths are as rasterised; linked lists of tuples, 20
+/// bytes and 4 for the next; ids of the coverage map are floats. It is wrong where neighbours on one surface shadow
+/// each other, since numbers keep a triangle from shadowing itself alone; for triangles that rotate (curved sides),
+/// that cover a texel twice, whose distance changes much within a tuple of a spot light; and at the light's near plane.
+/// The first and last fragment need no sorting here: one fragment per triangle and texel finds all those of the prism.
 class PublishedTuples final : public TupleLists {
   public:
     explicit PublishedTuples(gl::ProgramCache& programs);

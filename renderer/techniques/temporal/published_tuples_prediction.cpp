@@ -14,18 +14,11 @@ struct PrismPoint {
     double time, inverseDistance;
 };
 
-bool isStatic(const TriangleInMap& triangle) {
-    return std::all_of(std::begin(triangle.corners), std::end(triangle.corners),
-                       [](const PathInMap& corner) { return corner.open == corner.close; });
-}
-
 }  // namespace
 
 std::optional<double> PublishedTuplesPrediction::casterDistance(const ReceiverInMap& receiver, std::size_t caster,
-                                                                const glm::dvec2& position, double u, double v) const {
+                                                                const glm::dvec2& position, double u, double) const {
     const TriangleInMap& triangle = receiver.triangles[caster];
-    // Static triangles are in an ordinary map.
-    if (isStatic(triangle)) return Prediction::casterDistance(receiver, caster, position, u, v);
     if (caster == receiver.own) return std::nullopt;
     PrismPoint first{2.0, 0.0}, last{-1.0, 0.0};
     for (const auto& face : faces) {
@@ -37,7 +30,7 @@ std::optional<double> PublishedTuplesPrediction::casterDistance(const ReceiverIn
         }
         const PlaneHit hit = hitOf(flat, position, 0.0);
         if (!hit.inside || hit.distance < receiver.nearDistance) continue;
-        const PrismPoint point{glm::dot(hit.weights, times), 1.0 / hit.distance};
+        const PrismPoint point{glm::dot(hit.inSpace, times), 1.0 / hit.distance};
         if (point.time < first.time) first = point;
         if (point.time > last.time) last = point;
     }

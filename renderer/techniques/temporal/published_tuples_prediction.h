@@ -5,8 +5,8 @@
 namespace timeshade {
 
 /// What PublishedTuples holds of a triangle at a texel's centre, in double precision: the first and the last point in
-/// time of its prism of flat triangles there, with times and NDC depths linear over the map, and NDC depths linear in
-/// time between the two. A receiver's own triangle is left out. Without the coverage map.
+/// time of its prism of flat triangles there, with times linear over those triangles, and NDC depths linear over the
+/// map and in time between the two. A receiver's own triangle is left out. Without the coverage map.
 class PublishedTuplesPrediction final : public Prediction {
   public:
     std::optional<double> casterDistance(const ReceiverInMap& receiver, std::size_t caster, const glm::dvec2& position,

@@ -43,14 +43,26 @@ void TemporalShadow::visitSettings(SettingsVisitor& visitor) {
                    "Finds the texels that one triangle covers all through the shutter, and leaves out what lies behind "
                    "it there: shorter lists "
                    "for one more pass.");
+    visitor.whole("pcf_radius", pcfRadius_, 0, 0, 3, "texels",
+                  "Percentage-closer filtering: the test is made in (2n + 1) x (2n + 1) texels and averaged. Hides the "
+                  "map's steps, costs that many lists.");
     visitor.toggle("as_published", asPublished_, false,
-                   "The paper taken literally, its mistakes included: swept prisms of flat triangles, one tuple a "
-                   "triangle, depths linear in the "
-                   "window, a coverage map that takes two ends for the whole shutter.");
+                   "As the paper states it: every triangle has a prism of flat triangles and one tuple a texel, depths "
+                   "are as rasterised, numbers of triangles take the place of a bias, and the coverage map takes two "
+                   "ends for the whole shutter.");
+    visitor.number("published_bias", publishedBias_, 0.0, 0.0, 64.0, "texels",
+                   "As published only, in place of bias. The paper has none; above 0, to see what that would hide, "
+                   "slope_bias counts as well.");
+}
+
+Footprint TemporalShadow::footprint() const {
+    Footprint footprint;
+    footprint.filterTexels = Footprint::filterOf(pcfRadius_);
+    return footprint;
 }
 
 SamplingTraits TemporalShadow::samplingTraits() const {
-    return {.texelCentres = true, .biasTexels = static_cast<double>(bias_)};
+    return {.texelCentres = true, .biasTexels = static_cast<double>(asPublished_ ? publishedBias_ : bias_)};
 }
 
 std::shared_ptr<const Prediction> TemporalShadow::prediction() const {
@@ -60,16 +72,16 @@ std::shared_ptr<const Prediction> TemporalShadow::prediction() const {
 std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
     const LightMotion& motion = plan.casters;
     std::vector<PassDecision> passes;
-    if (!motion.staticCasters.empty())
+    if (!motion.staticCasters.empty() && !asPublished_)
         passes.push_back(
             {"build/static map",
              "an ordinary map of what stands still in the light's frame, kept until something of it changes",
              motion.staticCasters.size()});
     if (coverageMap_)
-        passes.push_back(
-            {"coverage", "texels that one triangle covers all through the shutter", motion.dynamicCasters.size()});
+        passes.push_back({"coverage", "texels that one triangle covers all through the shutter", listed(plan).size()});
     std::string reason = motion.dynamicCasters.empty() ? "nothing moves in the light's frame: no tuples"
                                                        : "when each triangle that moves in the light's frame is where";
+    if (asPublished_) reason = "when each triangle is where, also those that stand still";
     if (motion.nonTranslating > 0)
         reason += asPublished_ ? fmt::format(
                                      "; {} of them turn or deform, so the sides of their prisms are bent, and flat "
@@ -79,7 +91,7 @@ std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
                                      "; {} of them turn or deform: times are exact, distances between them within a "
                                      "quarter of a texel as a rule",
                                      motion.nonTranslating);
-    passes.push_back({"build", reason, motion.dynamicCasters.size()});
+    passes.push_back({"build", reason, listed(plan).size()});
     std::string lookup = "each camera sample against the tuples of its texel that hold its time";
     if (!motion.nearPlane.empty())
         lookup += asPublished_ ? fmt::format("; the prisms of {} triangles are cut open by the light's near plane",
@@ -97,11 +109,10 @@ void TemporalShadow::build(const TechniqueFrame& frame) {
     nonTranslating_ = motion.nonTranslating;
     const bool otherForm = builtAsPublished_ != asPublished_;
     builtAsPublished_ = asPublished_;
-    {
+    staticMap_ = nullptr;
+    if (!asPublished_) {
         const auto timed = frame.timer.scope("build/static map");
-        // The published form draws what is dynamic by a rasteriser's rules, the repaired one by texels' centres.
-        staticMap_ =
-            &frame.maps.ofStaticCasters(asPublished_ ? LightMaps::Coverage::Rasterized : LightMaps::Coverage::Exact);
+        staticMap_ = &frame.maps.ofStaticCasters(LightMaps::Coverage::Exact);
     }
     near_.set(motion.nearPlane);
     const std::vector<std::uint32_t> triangles = listed(frame.plan);
@@ -111,13 +122,8 @@ void TemporalShadow::build(const TechniqueFrame& frame) {
 }
 
 std::vector<std::uint32_t> TemporalShadow::listed(const FramePlan& plan) const {
-    std::vector<std::uint32_t> triangles = plan.casters.dynamicCasters;
-    if (!asPublished_) return triangles;
-    // The paper knows no near plane: such prisms are clipped and stay open.
-    const auto middle = static_cast<std::ptrdiff_t>(triangles.size());
-    triangles.insert(triangles.end(), plan.casters.nearPlane.begin(), plan.casters.nearPlane.end());
-    std::inplace_merge(triangles.begin(), triangles.begin() + middle, triangles.end());
-    return triangles;
+    // "We render all triangles" ("Extension"). The paper knows no near plane: such prisms are clipped and stay open.
+    return asPublished_ ? allOf(plan.casters) : plan.casters.dynamicCasters;
 }
 
 void TemporalShadow::buildLists(const TechniqueFrame& frame, const std::vector<std::uint32_t>& triangles) {
@@ -133,7 +139,11 @@ void TemporalShadow::buildLists(const TechniqueFrame& frame, const std::vector<s
 LookupProgram TemporalShadow::lookupProgram(const TechniqueFrame&, Casters) {
     LookupProgram lookup{"temporal lookup", "techniques/temporal/lookup.frag", {}, {}};
     if (builtAsPublished_) lookup.defines.emplace_back("AS_PUBLISHED", "1");
-    lookup.inputs.texture("staticMap", *staticMap_);
+    lookup.defines.emplace_back("PCF_RADIUS", fmt::format("{}", pcfRadius_));
+    if (staticMap_) {
+        lookup.defines.emplace_back("STATIC_TRIANGLES", "1");
+        lookup.inputs.texture("staticMap", *staticMap_);
+    }
     if (lists_) {
         lookup.defines.emplace_back("DYNAMIC_TRIANGLES", "1");
         if (builtWithCoverage_) lookup.defines.emplace_back("COVERAGE_MAP", "1");
@@ -148,15 +158,17 @@ LookupProgram TemporalShadow::lookupProgram(const TechniqueFrame&, Casters) {
 
 std::vector<TechniqueView> TemporalShadow::views() const {
     return {{"tuples", "Tuples per texel", "tuples", 0.0, 64.0, false},
+            {"light", "Tuples as the light sees them", "tuples", 0.0, 64.0, false},
             {"time", "When the first tuple begins", "u", 0.0, 1.0, false}};
 }
 
 void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {
-    if (name != "tuples" && name != "time") return Technique::drawView(frame, name, values);
+    if (name != "tuples" && name != "light" && name != "time") return Technique::drawView(frame, name, values);
     if (!lists_) buildLists(frame, listed(frame.plan));  // empty ones, to be looked at
     gl::ShaderDefines defines = frame.defines();
     if (builtAsPublished_) defines.emplace_back("AS_PUBLISHED", "1");
     if (name == "time") defines.emplace_back("VIEW_TIME", "1");
+    if (name == "light") defines.emplace_back("SEEN_BY_LIGHT", "1");
     const gl::Program& program =
         programs_.get({"temporal view", "passes/fullscreen.vert", "techniques/temporal/view.frag", defines});
     gl::Inputs inputs;
@@ -171,11 +183,11 @@ void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& na
 }
 
 std::vector<TechniqueStatistic> TemporalShadow::statistics() const {
-    if (!staticMap_) return {};
+    if (!lists_ && !staticMap_) return {};
     const TupleCounts counts = lists_ ? lists_->counts() : TupleCounts{};
     const auto number = [](std::size_t n) { return static_cast<double>(n); };
     std::vector<TechniqueStatistic> statistics{
-        {"dynamic triangles", number(moving_), "", ""},
+        {builtAsPublished_ ? "triangles with a prism" : "dynamic triangles", number(moving_), "", ""},
         {"non-translating triangles", number(nonTranslating_), "",
          nonTranslating_ > 0 && builtAsPublished_
              ? "the sides of their prisms are bent: times are off by some thousandths"
@@ -192,10 +204,11 @@ std::vector<TechniqueStatistic> TemporalShadow::statistics() const {
         statistics.push_back({"covered texels", number(counts.coveredTexels), "texels", ""});
         statistics.push_back({"tuples skipped", number(counts.skippedTuples), "", ""});
     }
-    statistics.push_back({"memory", number(bytes() + staticMap_->bytes()), "bytes", ""});
+    const std::size_t mapBytes = staticMap_ ? staticMap_->bytes() : 0;
+    statistics.push_back({"memory", number(bytes() + mapBytes), "bytes", ""});
     statistics.push_back({"memory predicted",
-                          number(counts.predictedBytes + staticMap_->bytes() + near_.count() * sizeof(std::uint32_t)),
-                          "bytes", ""});
+                          number(counts.predictedBytes + mapBytes + near_.count() * sizeof(std::uint32_t)), "bytes",
+                          ""});
     return statistics;
 }
 

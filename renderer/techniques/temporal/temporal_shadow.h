@@ -15,7 +15,7 @@ namespace timeshade {
 /// nearer than it. No time is sampled for the map, so there is no time mismatch. What remains is the map's resolution
 /// in space. The coverage map spares tuples behind a triangle that covers the texel all the time. Still triangles go to
 /// an ordinary map. Triangles that cross the light's near plane are tested exactly by each sample. By default repaired
-/// (ExactTuples); `as_published` is the paper taken literally (PublishedTuples).
+/// (ExactTuples); `as_published` is the paper step by step (PublishedTuples).
 class TemporalShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -23,9 +23,11 @@ class TemporalShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
+    Footprint footprint() const override;
     SamplingTraits samplingTraits() const override;
     std::shared_ptr<const Prediction> prediction() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
+    bool separatesStaticCasters() const override { return !asPublished_; }
     void build(const TechniqueFrame& frame) override;
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     std::vector<TechniqueView> views() const override;
@@ -40,12 +42,13 @@ class TemporalShadow final : public Technique {
     void buildLists(const TechniqueFrame& frame, const std::vector<std::uint32_t>& triangles);
 
     gl::ProgramCache& programs_;
-    float bias_{}, slopeBias_{};
+    float bias_{}, slopeBias_{}, publishedBias_{};
+    int pcfRadius_{};
     bool asPublished_{}, coverageMap_{};
 
     bool builtAsPublished_ = false, builtWithCoverage_ = false;
     std::unique_ptr<TupleLists> lists_;
-    const gl::Texture* staticMap_ = nullptr;  ///< the frame's
+    const gl::Texture* staticMap_ = nullptr;  ///< the frame's; none as published
     NearTriangles near_;
     std::size_t staticCasters_ = 0, moving_ = 0, nonTranslating_ = 0;
     std::optional<gl::Framebuffer> viewTarget_;

@@ -1,5 +1,7 @@
 #include "techniques/tsm/tsm_shadow.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "technique/technique_entry.h"
@@ -8,14 +10,33 @@ namespace timeshade {
 
 namespace {
 
-/// The dynamic bias: a depth is moved along the plane of what the texel saw to the receiver's time.
-class DynamicBiasPrediction final : public Prediction {
+/// `both_times`: a depth is moved along the plane of what the texel saw to the receiver's time, and the receiver's
+/// along its own to the map's; a caster that is nearer at one of the times alone is none. The farther of the two
+/// decides.
+class BothTimesPrediction final : public Prediction {
   public:
     std::optional<double> casterDistance(const ReceiverInMap& receiver, std::size_t caster, const glm::dvec2& position,
                                          double u, double v) const override {
         const TriangleInMap& triangle = receiver.triangles[caster];
-        if (!hitOf(triangle, position, v).inside) return std::nullopt;
-        return hitOf(triangle, position, u).distance;
+        const PlaneHit hit = hitOf(triangle, position, v);
+        if (!hit.inside) return std::nullopt;
+        const glm::dvec3 p = receiver.path.at(u);
+        const double later = hitOf(receiver.triangles[receiver.own], glm::dvec2(p) / p.z, v).distance;
+        return std::max(hitOf(triangle, position, u).distance, hit.distance + p.z - later);
+    }
+};
+
+/// `eq12`: a depth changes as that of the point does which the texel saw.
+class PointDepthPrediction final : public Prediction {
+  public:
+    std::optional<double> casterDistance(const ReceiverInMap& receiver, std::size_t caster, const glm::dvec2& position,
+                                         double u, double v) const override {
+        const TriangleInMap& triangle = receiver.triangles[caster];
+        const PlaneHit hit = hitOf(triangle, position, v);
+        if (!hit.inside) return std::nullopt;
+        glm::dvec3 rates;
+        for (int i = 0; i < 3; ++i) rates[i] = triangle.corners[i].close.z - triangle.corners[i].open.z;
+        return hit.distance + glm::dot(hit.inSpace, rates) * (u - v);
     }
 };
 
@@ -49,20 +70,46 @@ void TsmShadow::visitSettings(SettingsVisitor& visitor) {
                    "that approach the light, and with it real contacts.");
     visitor.number("slope_bias", slopeBias_, 1.0, 0.0, 8.0, "half texels of slope",
                    "Further bias in proportion to how steeply the surface falls away from the light.");
-    visitor.toggle("dynamic_bias", dynamicBias_, false,
-                   "Compares map and receiver at both of their times: each depth is moved at its own rate to the "
-                   "other's time (after "
-                   "Andersson et al. 2015, eq. 12). Ends the self-shadow; costs one more map of rates.");
+    visitor.choice(
+        "dynamic_bias", dynamicBias_, static_cast<int>(DynamicBias::Off), {"off", "both_times", "eq12"},
+        "Moves depths of the map to the receiver's time. eq12: at the velocity of the point that the texel "
+        "saw, one test (Andersson et al. 2015, eq. 12, as it stands). both_times: at the rate at which the "
+        "texel's depth changes, and the receiver's depth to the map's time as well, two tests (ours); it ends "
+        "the self-shadow. Either costs one more map.");
+    visitor.whole(
+        "strata", strata_, 0, 0, maximumSamplesPerPixel, "layers",
+        "Into how many strata of the shutter the map is cut, one layer each; 0: as many as a pixel has camera "
+        "samples. More: times that differ less, and that much more memory.");
+    visitor.whole(
+        "pcf_radius", pcfRadius_, 0, 0, 3, "texels",
+        "Percentage-closer filtering: the test is made in (2n + 1) x (2n + 1) texels of the layer, each at its "
+        "own time, and averaged. Less noise, blurred edges, costs that many tests.");
+}
+
+Footprint TsmShadow::footprint() const {
+    Footprint footprint;
+    footprint.filterTexels = Footprint::filterOf(pcfRadius_);
+    return footprint;
 }
 
 SamplingTraits TsmShadow::samplingTraits() const {
     return {.times = SamplingTraits::Times::RandomInStratum,
+            .strata = strata_,
             .texelCentres = true,
             .biasTexels = static_cast<double>(bias_)};
 }
 
 std::shared_ptr<const Prediction> TsmShadow::prediction() const {
-    return dynamicBias_ ? std::make_shared<DynamicBiasPrediction>() : Technique::prediction();
+    switch (static_cast<DynamicBias>(dynamicBias_)) {
+    case DynamicBias::Off: break;
+    case DynamicBias::BothTimes: return std::make_shared<BothTimesPrediction>();
+    case DynamicBias::PointDepth: return std::make_shared<PointDepthPrediction>();
+    }
+    return Technique::prediction();
+}
+
+std::uint32_t TsmShadow::strataOf(const FramePlan& plan) const {
+    return strata_ > 0 ? static_cast<std::uint32_t>(strata_) : plan.block.strata;
 }
 
 std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {
@@ -75,7 +122,7 @@ std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {
                           fmt::format("{} map layers, one a stratum, each texel at its own random time, of what moves "
                                       "in the light's frame; {} "
                                       "triangles never reach the map, the shadows of {} are never seen",
-                                      plan.block.strata, plan.light.outsideTriangles, plan.light.unseenTriangles),
+                                      strataOf(plan), plan.light.outsideTriangles, plan.light.unseenTriangles),
                           plan.light.dynamicTriangles.count()});
     passes.push_back({"lookup",
                       plan.light.dynamicTriangles.empty()
@@ -97,30 +144,44 @@ void TsmShadow::build(const TechniqueFrame& frame) {
         return;
     }
     const auto timed = frame.timer.scope("build/strata");
-    const int size = frame.plan.request.mapSize, layers = static_cast<int>(frame.plan.block.strata);
+    const std::uint32_t strata = strataOf(frame.plan);
+    const MapSize size = frame.plan.request.mapSize;
+    const int layers = static_cast<int>(strata);
     const auto fits = [&](const std::optional<gl::Texture>& map) {
-        return map && map->width() == size && map->layers() == layers;
+        return map && MapSize(map->width(), map->height()) == size && map->layers() == layers;
     };
-    if (!fits(depth_)) depth_ = gl::Texture::array2D("tsm depth", GL_DEPTH_COMPONENT32F, size, size, layers);
-    if (!dynamicBias_)
+    if (!fits(depth_))
+        depth_ = gl::Texture::array2D("tsm depth", GL_DEPTH_COMPONENT32F, size.width, size.height, layers);
+    using Output = StochasticRasterizer::Output;
+    static constexpr Output outputs[] = {Output::DepthOnly, Output::DepthRate, Output::DepthVelocity};
+    if (dynamicBias_ == 0)
         velocity_.reset();
     else if (!fits(velocity_))
-        velocity_ = gl::Texture::array2D("tsm depth velocity", GL_R32F, size, size, layers);
+        velocity_ = gl::Texture::array2D("tsm depth velocity", GL_R32F, size.width, size.height, layers);
     if (!rasterizer_) rasterizer_.emplace(programs_);
-    using Output = StochasticRasterizer::Output;
     rasterizer_->draw(frame.mesh, frame.plan.light, {&frame.plan.light.dynamicTriangles},
-                      StochasticRasterizer::Role::Light, dynamicBias_ ? Output::DepthVelocity : Output::DepthOnly,
-                      frame.plan.block.strata, velocity_ ? &*velocity_ : nullptr, *depth_);
+                      StochasticRasterizer::Role::Light, outputs[dynamicBias_], {strata, lengthOf(frame.plan)},
+                      velocity_ ? &*velocity_ : nullptr, *depth_);
 }
 
-LookupProgram TsmShadow::lookupProgram(const TechniqueFrame&, Casters) {
+/// Of a stratum of the map, in u.
+float TsmShadow::lengthOf(const FramePlan& plan) const {
+    if (strata_ == 0) return plan.block.timeScale;
+    return plan.block.timeScale * static_cast<float>(plan.block.strata) / static_cast<float>(strata_);
+}
+
+LookupProgram TsmShadow::lookupProgram(const TechniqueFrame& frame, Casters) {
     LookupProgram lookup{"tsm lookup", "techniques/tsm/lookup.frag", {}, {}};
-    lookup.inputs.texture("staticMap", *staticMap_);
+    lookup.defines.emplace_back("PCF_RADIUS", fmt::format("{}", pcfRadius_));
+    if (strata_ > 0) lookup.defines.emplace_back("OWN_STRATA", "1");
+    lookup.inputs.texture("staticMap", *staticMap_).set("layers", strataOf(frame.plan));
+    lookup.inputs.set("layerLength", lengthOf(frame.plan));
     if (depth_) {
         lookup.defines.emplace_back("DYNAMIC_CASTERS", "1");
         lookup.inputs.texture("depthMap", *depth_);
     }
-    if (dynamicBias_) lookup.defines.emplace_back("DYNAMIC_BIAS", "1");
+    if (dynamicBias_ != 0) lookup.defines.emplace_back("DYNAMIC_BIAS", "1");
+    if (dynamicBias_ == static_cast<int>(DynamicBias::BothTimes)) lookup.defines.emplace_back("BOTH_TIMES", "1");
     if (velocity_) lookup.inputs.texture("velocityMap", *velocity_);
     return lookup;
 }

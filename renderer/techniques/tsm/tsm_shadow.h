@@ -12,10 +12,10 @@ namespace timeshade {
 /// in the layer of its own stratum. The times differ by up to 1/N of the shutter, 1/(3N) in the mean. Without the
 /// dynamic bias a receiver that approaches the light at v per shutter shadows itself on 1/2 (1 - bias N / v)^2 of its
 /// samples. What stands still in the light's frame has the same depth at all times: it is in one map beside the layers.
-/// The dynamic bias departs from equation 12 of Andersson et al. 2015 in two ways, without which a body that turns or
-/// slides along its own slopes still shadows itself: the map holds the rate at which the depth over the texel changes,
-/// not the velocity of the point that is there; and the receiver is compared at the map's time, too, since two surfaces
-/// that do not pass through each other keep their order.
+/// The dynamic bias of equation 12 of Andersson et al. 2015 is `eq12`. `both_times` departs from it in two ways,
+/// without which a body that turns or slides along its own slopes still shadows itself: the map holds the rate at which
+/// the depth over the texel changes, not the velocity of the point that is there; and the receiver is compared at the
+/// map's time, too, since two surfaces that do not pass through each other keep their order.
 class TsmShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -23,6 +23,7 @@ class TsmShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
+    Footprint footprint() const override;
     SamplingTraits samplingTraits() const override;
     std::shared_ptr<const Prediction> prediction() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
@@ -32,9 +33,13 @@ class TsmShadow final : public Technique {
     std::size_t bytes() const override;
 
   private:
+    enum class DynamicBias { Off, BothTimes, PointDepth };  ///< in the order of the setting's choices
+    std::uint32_t strataOf(const FramePlan& plan) const;
+    float lengthOf(const FramePlan& plan) const;
+
     gl::ProgramCache& programs_;
     float bias_{}, slopeBias_{};
-    bool dynamicBias_{};
+    int dynamicBias_{}, strata_{}, pcfRadius_{};
     std::optional<StochasticRasterizer> rasterizer_;
     std::optional<gl::Texture> depth_, velocity_;
     const gl::Texture* staticMap_ = nullptr;  ///< the frame's

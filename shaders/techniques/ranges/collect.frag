@@ -76,7 +76,7 @@ uvec2 packedSlopes(SurfacePoint p) {
 #endif
 
 void main() {
-    uint slot = listSlot(uint(gl_FragCoord.y) * frame.mapSize + uint(gl_FragCoord.x));
+    uint slot = listSlot(uint(gl_FragCoord.y) * frame.mapWidth + uint(gl_FragCoord.x));
 #ifdef FILL
     SurfacePoint p = interpolatedPoint();
     float place = 1.0 - prismCorners[max(prismPart, PART_SIDE) - PART_SIDE];

@@ -8,13 +8,13 @@ layout(std430, binding = LINKED_HEADS_BINDING) buffer FragmentHeads { uint fragm
 layout(std430, binding = LINKED_FRAGMENTS_BINDING) writeonly buffer Fragments { uvec4 fragments[]; };
 uniform uint capacity;
 
-noperspective in float prismTime;
+in float prismTime;
 flat in uint prismId;
 
 void main() {
     uint place = atomicAdd(fragmentCount, 1u);
     if (place >= capacity) return;  // counted; the pass is drawn again with more room
-    uint texel = uint(gl_FragCoord.y) * frame.mapSize + uint(gl_FragCoord.x);
+    uint texel = uint(gl_FragCoord.y) * frame.mapWidth + uint(gl_FragCoord.x);
     uint next = atomicExchange(fragmentHeads[texel], place);
     fragments[place] = uvec4(floatBitsToUint(gl_FragCoord.z), floatBitsToUint(prismTime), prismId, next);
 }

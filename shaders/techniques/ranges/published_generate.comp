@@ -21,7 +21,8 @@ struct PrismFragment {
     float time;
 };
 
-bool isCap(PrismFragment f) { return f.time == 0.0 || f.time == 1.0; }
+// Interpolated, and so rounded.
+bool isCap(PrismFragment f) { return min(f.time, 1.0 - f.time) < 1e-6; }
 
 // Ascending distance.
 bool before(PrismFragment a, PrismFragment b) {

@@ -40,7 +40,7 @@ void main() {
     precise EdgeQuadratics e = quadraticsOf(t);
     CoverageIntervals intervals = intervalsOfTranslation(e);
     ONLY_IF(nonTranslating != 0u) intervals = intervalsOf(e);
-    uint cell = uint(gl_FragCoord.y) * frame.mapSize + uint(gl_FragCoord.x);
+    uint cell = uint(gl_FragCoord.y) * frame.mapWidth + uint(gl_FragCoord.x);
 #ifdef COVERAGE_MAP
     float covered = 0.0;
     ONLY_IF(intervals.count > 0) covered = coverageDistance(ivec2(gl_FragCoord.xy));

@@ -1,7 +1,7 @@
 // The prism of Hong and Oh 2017: the triangle at t = 0, the triangle at t = 1 and, between them, each side in two flat
 // triangles (the paper says only that it is triangulated). The fragments that a rasteriser would make of its eight
-// triangles at this texel's centre are computed here at once, with what it would interpolate over the map: time, and
-// NDC depth. Homogeneous edge functions clip at the near plane as a rasteriser does, and such a prism is open.
+// triangles at this texel's centre are computed here at once, with what it would interpolate: time, with perspective,
+// and NDC depth. Homogeneous edge functions clip at the near plane as a rasteriser does, and such a prism is open.
 #include "techniques/temporal/moving_triangle.glsl"
 
 struct PrismFragment {
@@ -26,14 +26,12 @@ void addFace(inout PrismHits hits, vec3 a, vec3 b, vec3 c, vec3 times) {
     float distance = dot(e, vec3(a.z, b.z, c.z)) / sum;
 #ifdef LIGHT_ORTHOGRAPHIC
     if (distance < 0.0 || distance > lightView.farDistance) return;
-    PrismFragment f = PrismFragment(dot(e / sum, times), ndcDepth(distance));
 #else
     if (!(distance >= lightView.nearDistance)) return;
-    // Linear over the map, as NDC depth is. A vertex behind the light has no position in the map: then linear in space.
-    vec3 weights = e * vec3(a.z, b.z, c.z);
-    weights = min(a.z, min(b.z, c.z)) > 0.0 ? weights / (weights.x + weights.y + weights.z) : e / sum;
-    PrismFragment f = PrismFragment(dot(weights, times), ndcDepth(distance));
 #endif
+    // By differences, so that what is the same at all three vertices stays the same to the last bit.
+    float time = times.x + (e.y * (times.y - times.x) + e.z * (times.z - times.x)) / sum;
+    PrismFragment f = PrismFragment(time, ndcDepth(distance));
     hits.count++;
     if (f.time < hits.first.time) hits.first = f;
     if (f.time > hits.last.time) hits.last = f;

@@ -2,12 +2,12 @@
 #include "techniques/temporal/bindings.shared.h"
 #include "techniques/temporal/published_prism.glsl"
 
-uniform sampler2DArray overlapMap;
+uniform sampler2DArray nearestMap;  // where the coverage map holds a triangle, it is this one
 
 layout(location = 0) out float coverage;
 
 void main() {
-    if (texelFetch(overlapMap, ivec3(gl_FragCoord.xy, 0), 0).x == float(triangleId)) discard;
+    if (texelFetch(nearestMap, ivec3(gl_FragCoord.xy, 0), 0).x == float(triangleId)) discard;
     PrismHits hits = prismHits();
     if (hits.count == 0) discard;
     coverage = -1.0;

@@ -27,7 +27,7 @@ void main() {
 #endif
     uint tuple = atomicAdd(tupleCount, 1u);
     if (tuple >= capacity) return;  // drawn again with more room
-    uint before = atomicExchange(heads[uint(gl_FragCoord.y) * frame.mapSize + uint(gl_FragCoord.x)], tuple);
+    uint before = atomicExchange(heads[uint(gl_FragCoord.y) * frame.mapWidth + uint(gl_FragCoord.x)], tuple);
     uint at = tuple * uint(LINKED_INTERVAL_WORDS);
     tuples[at] = floatBitsToUint(hits.first.time);
     tuples[at + 1u] = floatBitsToUint(hits.last.time);
