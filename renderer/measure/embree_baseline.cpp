@@ -63,14 +63,14 @@ RTCScene buildScene(RTCDevice device, const FramePlan& plan) {
 
 struct EmbreeBaseline::Implementation {
     explicit Implementation(const FramePlan& framePlan)
-        : plan(framePlan), rays(plan.camera), device(rtcNewDevice(nullptr)), scene(buildScene(device, plan)) {
+        : plan(framePlan), rays(plan.camera), device(rtcNewDevice(nullptr)) {
         const std::size_t samples = static_cast<std::size_t>(plan.request.width) *
                                     static_cast<std::size_t>(plan.request.height) * plan.block.strata;
         ids.resize(samples);
         ends.resize(samples);
     }
     ~Implementation() {
-        rtcReleaseScene(scene);
+        if (scene) rtcReleaseScene(scene);
         rtcReleaseDevice(device);
     }
     Implementation(const Implementation&) = delete;
@@ -181,13 +181,15 @@ struct EmbreeBaseline::Implementation {
     FramePlan plan;
     Rays rays;
     RTCDevice device;
-    RTCScene scene;
+    RTCScene scene = nullptr;
     std::vector<std::uint32_t> ids;
     std::vector<RayEnd> ends;
 };
 
 EmbreeBaseline::EmbreeBaseline(const FramePlan& plan) : implementation_(std::make_unique<Implementation>(plan)) {}
 EmbreeBaseline::~EmbreeBaseline() = default;
+
+void EmbreeBaseline::build() { implementation_->scene = buildScene(implementation_->device, implementation_->plan); }
 
 void EmbreeBaseline::makeRays() {
     std::atomic<int> sink{0};  // keeps the rays from being optimised away

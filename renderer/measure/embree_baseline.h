@@ -13,12 +13,14 @@ namespace timeshade {
 /// exactly and nothing is handed over: this is the bare loop. The reference is Oracle.
 class EmbreeBaseline {
   public:
-    /// Builds the acceleration structure.
+    /// Makes room for what is traced; the plan must outlive it.
     explicit EmbreeBaseline(const FramePlan& plan);
     ~EmbreeBaseline();
     EmbreeBaseline(const EmbreeBaseline&) = delete;
     EmbreeBaseline& operator=(const EmbreeBaseline&) = delete;
 
+    /// Builds the acceleration structure: before anything is traced.
+    void build();
     /// Makes the rays of all camera samples without tracing them: what that costs alone.
     void makeRays();
     /// Traces what every camera sample sees: [stratum][row from the bottom][column].

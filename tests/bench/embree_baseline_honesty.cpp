@@ -136,6 +136,7 @@ int main() {
     FramePlanner planner(*scene);
     const FramePlan plan = planner.plan(requestFor(options, *scene));
     EmbreeBaseline baseline(plan);
+    baseline.build();
     RTCDevice device = rtcNewDevice(nullptr);
     RTCScene bareScene = buildScene(device, plan);
     RTCIntersectContext context;

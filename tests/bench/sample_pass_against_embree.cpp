@@ -60,6 +60,7 @@ double compare(FrameRenderer& renderer, const std::string& name, int rounds) {
     const FramePlan plan = planner.plan(requestFor(options, *scene));
     NoShadow none;
     EmbreeBaseline rays(plan);
+    rays.build();
     std::vector<double> drawn, made, traced;
     for (int round = -2; round < rounds; ++round) {  // two rounds to warm up
         const double a = sampleMilliseconds(renderer, plan, none);

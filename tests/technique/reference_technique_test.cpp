@@ -97,6 +97,7 @@ TEST(EmbreeBaseline, SeesWhatTheSamplePassSees) {
     ReferenceTechnique truth;
     sharedRenderer().draw(plan, truth, View::Visibility);
     EmbreeBaseline baseline(plan);
+    baseline.build();
     EXPECT_EQ(baseline.tracePrimaries(), sharedRenderer().readSampleIds());
     const double dark = static_cast<double>(baseline.traceShadows()) / (16.0 * 128.0 * 8.0);
     EXPECT_NEAR(dark, 0.25, 0.02);

@@ -83,6 +83,18 @@ class Tables(unittest.TestCase):
                     with self.subTest(scene=scene, technique=technique, published=published):
                         self.check(text, report_of(scene, technique, published))
 
+    def test_shadow_errors_of_published_forms(self):
+        rows = rows_of("| scene | shadow error: temporal | as published | ranges | as published |")
+        self.assertEqual(len(rows), 6)
+        for scene, *cells in rows:
+            if scene not in RAYS:  # its reference would take long
+                continue
+            for (name, published), text in zip(((name, form) for name in ("temporal", "ranges")
+                                                for form in (False, True)), cells):
+                with self.subTest(scene=scene, technique=name, published=published):
+                    error = report_of(scene, name, published)["shadow_error"]
+                    self.assertLessEqual(abs(error["rms"] - float(text)), 3 * error["standard_error"] + 5e-5)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

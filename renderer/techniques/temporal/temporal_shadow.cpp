@@ -104,8 +104,8 @@ std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
 
 void TemporalShadow::build(const TechniqueFrame& frame) {
     const LightMotion& motion = frame.plan.casters;
-    staticCasters_ = motion.staticCasters.size();
-    moving_ = motion.dynamicCasters.size();
+    staticCasters_ = asPublished_ ? 0 : motion.staticCasters.size();
+    moving_ = listed(frame.plan).size();
     nonTranslating_ = motion.nonTranslating;
     const bool otherForm = builtAsPublished_ != asPublished_;
     builtAsPublished_ = asPublished_;
