@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -57,8 +58,34 @@ std::string head(const MeasureOptions& options, const gl::DeviceInfo& device) {
         "# Convergence of a still picture\n\n{}. {} x {}, shadow map {}, samples per pixel: {}.\n"
         "Share of pixels that differ by more than 30 of 255 from the picture with ray-traced hard shadows, after so "
         "many frames of a moment that is held, from an empty history or, after motion, from one that was filled while "
-        "the camera turned by a tenth of a degree per frame.\n",
-        deviceLine(device), options.width, options.height, options.mapSize.text(), options.samplesPerPixel);
+        "the camera turned by a tenth of a degree per frame. The first frame of the moment that is held is frame 1, in "
+        "figure 3 of Scherzer, Jeschke, Wimmer 2007 frame 0; that figure compares with the technique's own converged "
+        "picture, as the second tables do: the one after {} frames of the moment from an empty history.\n",
+        deviceLine(device), options.width, options.height, options.mapSize.text(), options.samplesPerPixel,
+        convergedFrames);
+}
+
+/// Measures all curves of one moment. The references of the first.
+ConvergenceReferences measureCurves(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,
+                                    const MeasureOptions& options, const std::vector<int>& frames,
+                                    std::vector<ConvergenceCurve>& curves) {
+    std::optional<ConvergenceReferences> first;
+    ConvergenceReferences references;
+    std::unique_ptr<Technique> technique;
+    StillMoment moment;
+    const Progress progress(static_cast<int>(curves.size()));
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        progress.update(static_cast<int>(i));
+        if (i == 0 || curves[i].variant != curves[i - 1].variant) {
+            technique = convergingTechnique(renderer, curves[i].variant, options.settings);
+            const FrameRequest asked = technique->asked(request);
+            moment = {planner.plan(asked), cameraStops(planner, asked)};
+            references = convergenceReferences(renderer, moment.plan, *technique);
+            if (!first) first = references;
+        }
+        measureConvergence(renderer, moment, *technique, references, frames, curves[i]);
+    }
+    return *first;
 }
 
 /// Measures one scene and writes its table, chart and details; what the report says of it.
@@ -70,18 +97,11 @@ std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options,
     // Held still: with a camera that moves within the shutter no pixel would have one true value.
     if (!request.cameraPose)
         request.cameraPose = scene->camera(request.cameraIndex, request.shutter.openSeconds(request.frame));
-    const FramePlan plan = planner.plan(request);
-    const std::vector<FramePlan> approach = cameraStops(planner, request);
-    const DisplayImage reference = referencePicture(renderer, plan);
-    const Progress progress(static_cast<int>(curves.size()));
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        progress.update(static_cast<int>(i));
-        measureConvergence(renderer, approach, plan, reference, options.settings, frames, curves[i]);
-    }
+    const ConvergenceReferences references = measureCurves(renderer, planner, request, options, frames, curves);
     const std::filesystem::path folder(options.output);
     const std::string stem = std::filesystem::path(name).stem().string();
     const std::vector<int> shown = framesOfStrip(frames);
-    const PixelSquare square = worstSquare(curves.front().pictures.back(), reference, stripSide);
+    const PixelSquare square = worstSquare(curves.front().pictures.back(), references.rayTraced, stripSide);
     std::vector<std::vector<DisplayImage>> strip;
     std::vector<std::string> variants;
     for (const ConvergenceCurve& curve : curves) {
@@ -90,13 +110,18 @@ std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options,
         variants.push_back("`" + curve.variant + "`");
     }
     writeFileAtomically(folder / (stem + ".csv"), convergenceCsv(curves, frames));
-    writePng(folder / (stem + ".png"), drawChart(convergenceChart(stem, curves, frames), 960, 640));
+    const auto writeChart = [&](const std::string& file, ConvergenceTarget target) {
+        writePng(folder / (file + ".png"), drawChart(convergenceChart(stem, curves, frames, target), 960, 640));
+    };
+    writeChart(stem, ConvergenceTarget::RayTraced);
+    writeChart(stem + "-own", ConvergenceTarget::Own);
     writePng(folder / (stem + "-strip.png"), detailStrip(strip, square, stripZoom));
     return fmt::format(
-        "\n## {0}, frame {1:g}\n\n{2}\n![convergence]({0}.png)\n\nA detail, left to right after {3} frames; from top "
-        "to "
-        "bottom {4}:\n\n![strip]({0}-strip.png)\n",
-        stem, plan.request.frame, convergenceTable(curves, frames), fmt::join(shown, ", "), fmt::join(variants, ", "));
+        "\n## {0}, frame {1:g}\n\n{2}\n![convergence]({0}.png)\n\nAgainst their own pictures after {5} frames:\n\n"
+        "{6}\n![convergence]({0}-own.png)\n\nA detail, left to right after {3} frames; from top to bottom {4}:\n\n"
+        "![strip]({0}-strip.png)\n",
+        stem, request.frame, convergenceTable(curves, frames, ConvergenceTarget::RayTraced), fmt::join(shown, ", "),
+        fmt::join(variants, ", "), convergedFrames, convergenceTable(curves, frames, ConvergenceTarget::Own));
 }
 
 }  // namespace

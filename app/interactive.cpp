@@ -264,7 +264,8 @@ int runInteractive(const ViewOptions& options) {
         Interactive interactive(options, std::move(scene), context, memory);
         Session& session = interactive.session();
         if (options.explain) {
-            fmt::print("{}", explain(session.scene.planner().plan(request), session.technique.current(),
+            const Technique& technique = session.technique.current();
+            fmt::print("{}", explain(session.scene.planner().plan(technique.asked(request)), technique,
                                      session.renderer.device()));
             std::fflush(stdout);
         }

@@ -65,8 +65,8 @@ std::vector<std::string> planLines(const SweepScene& scene, const std::string& t
                                    gl::ProgramCache& programs) {
     FramePlanner planner(*scene.scene);
     const std::string name = technique == "embree" ? techniqueDescriptions().front().name : technique;
-    std::istringstream text(
-        explain(planner.plan(scene.request), *TechniqueVariant::of(name).make({}, programs), device));
+    const std::unique_ptr<Technique> planned = TechniqueVariant::of(name).make({}, programs);
+    std::istringstream text(explain(planner.plan(planned->asked(scene.request)), *planned, device));
     std::vector<std::string> lines;
     for (std::string line; std::getline(text, line);) lines.push_back(line);
     return lines;

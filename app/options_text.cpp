@@ -106,6 +106,7 @@ std::vector<PictureWord> pictureWords(const PictureOptions& options) {
     add("size", fmt::format("{}x{}", options.width, options.height));
     if (options.samplesPerPixel != defaults.samplesPerPixel) add("spp", fmt::format("{}", options.samplesPerPixel));
     if (options.mapSize != defaults.mapSize) add("map", options.mapSize.text());
+    if (options.pixelCentres) add("pixel-centres", "on");
     if (options.seed != defaults.seed) add("seed", fmt::format("{}", options.seed));
     if (options.frame) add("frame", fmt::format("{}", *options.frame));
     if (options.seconds) add("time", fmt::format("{}", *options.seconds));
@@ -141,7 +142,7 @@ std::string settingsJson(const PictureOptions& options, const std::string& windo
     for (const auto& [key, value] : pictureWords(options)) {
         const bool plain = key == "spp" || (key == "map" && options.mapSize.isSquare()) || key == "seed" ||
                            key == "frame" || key == "time" || key == "fps" || key == "shutter" || key == "seam" ||
-                           key == "instant" || key == "force-dynamic" || key == "no-cache";
+                           key == "instant" || key == "force-dynamic" || key == "no-cache" || key == "pixel-centres";
         json[key] = plain ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);

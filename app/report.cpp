@@ -32,6 +32,9 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
                                            motion.triangles - motion.reclassified, motion.triangles)});
     if (plan.request.forceDynamic)
         lines.push_back({"force dynamic", "every triangle is treated as dynamic, and nothing is cached"});
+    if (plan.request.pixelCentres)
+        lines.push_back(
+            {"samples", "at pixel centres instead of one random place of the pixel each; their times stay"});
     if (const std::string words = warmUpWords(technique, plan.request); !words.empty())
         lines.push_back({"first", words});
     const auto add = [&](const PassDecision& pass) {
@@ -44,6 +47,7 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
     for (const PassDecision& pass : technique.passes(plan)) add(pass);
     if (const auto reason = technique.unsupported(plan)) lines.push_back({"unsupported", *reason});
     for (const std::string& warning : plan.warnings) lines.push_back({"warning", warning});
+    for (const std::string& warning : technique.warnings(plan)) lines.push_back({"warning", warning});
     return lines;
 }
 
@@ -101,6 +105,7 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
     json["frame"] = request.frame;
     if (request.forceDynamic) json["force_dynamic"] = true;
     if (!request.useCaches) json["caches"] = false;
+    if (request.pixelCentres) json["pixel_centres"] = true;
     if (warmUpCount(technique) > 0)
         json["warm_up"] = {{"frames_before", technique.warmUpFrames()}, {"times_held", technique.heldFrames()}};
     json["fps"] = request.shutter.framesPerSecond;

@@ -47,7 +47,7 @@ constexpr std::array allowedKeys{"scene",       "size",
                                  "convergence", "effects",
                                  "explain",     "gl-debug",
                                  "max-ppm",     "history-frames",
-                                 "set"};
+                                 "set",         "pixel-centres"};
 
 void requireAllowed(const std::string& key, const std::string& place) {
     if (std::find(allowedKeys.begin(), allowedKeys.end(), key) == allowedKeys.end())

@@ -101,6 +101,7 @@ int runShot(const ShotOptions& options) {
     FrameRenderer renderer;
     renderer.setChecked(options.debugGl);
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
+    request = technique->asked(request);
     FramePlanner planner(*scene);
     for (int i = 0; i < frames; ++i, request.frame += 1.0) {
         if (options.explain && i == 0) fmt::print("{}", explain(planner.plan(request), *technique, renderer.device()));
@@ -152,7 +153,7 @@ int runPictures(const PicturesOptions& options) {
         const std::unique_ptr<Scene> scene = openScene(name, "");
         const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
         FramePlanner planner(*scene);
-        const FrameRequest request = requestFor(options, *scene);
+        const FrameRequest request = technique->asked(requestFor(options, *scene));
         FrameClock clock(renderer, planner, options.view, options.techniqueView);
         clock.warmUp(*technique, request);
         const std::vector<ClockedFrame> frames = clock.time(*technique, request, steadyFrames);

@@ -90,12 +90,13 @@ void requireBinary(const Technique& technique) {
 int runVerify(const VerifyOptions& options) {
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
-    const FrameRequest request = requestFor(options, *scene);
+    const FrameRequest given = requestFor(options, *scene);
     const HeadlessGl opengl(options);
     FrameRenderer renderer;
     renderer.setChecked(options.debugGl);
     const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
     if (options.maxPpm) requireBinary(*technique);
+    const FrameRequest request = technique->asked(given);
     FramePlanner planner(*scene);
     const FramePlan plan = planner.plan(request);
     if (options.explain) fmt::print("{}", explain(plan, *technique, renderer.device()));

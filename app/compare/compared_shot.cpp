@@ -8,9 +8,10 @@
 
 namespace timeshade {
 
-ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,
+ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& given,
                           const PictureOptions& options, const Scene& scene, const std::string& backEnd) {
     const std::vector<ComparedTechnique> techniques = techniquesFor(options, renderer.programs());
+    const FrameRequest request = askedByAll(given, techniques);
     ComparedShot shot;
     std::vector<DisplayImage> pictures;
     nlohmann::ordered_json manifests;

@@ -1,6 +1,7 @@
 #include "compare/compared_techniques.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,6 +49,11 @@ std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::
     }
     if (techniques.empty()) techniques.push_back({techniqueFor(options, programs), ""});
     return techniques;
+}
+
+FrameRequest askedByAll(FrameRequest request, const std::vector<ComparedTechnique>& techniques) {
+    for (const ComparedTechnique& compared : techniques) request = compared.technique->asked(std::move(request));
+    return request;
 }
 
 DisplayImage composedFor(const CompareOptions& options, double seam, const std::vector<std::string>& labels,

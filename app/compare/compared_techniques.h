@@ -19,6 +19,9 @@ struct ComparedTechnique {
 /// The two that --compare names, or the one of --technique.
 std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::ProgramCache& programs);
 
+/// The request as all of them ask for it: on one picture they are drawn on the same camera samples.
+FrameRequest askedByAll(FrameRequest request, const std::vector<ComparedTechnique>& techniques);
+
 /// What a viewer should know of a technique: "TSM, 8 spp", with settings that are not at their defaults
 /// "TSM (bias 2; dynamic bias on), 8 spp"; of brute force its number of renders.
 std::string sampleCountLabel(Technique& technique, int samplesPerPixel);

@@ -29,6 +29,8 @@ void declareSampling(CLI::App& app, FrameOptions& options) {
            "--size", [&options](const std::string& text) { readSize(text, options); }, "WIDTHxHEIGHT of the picture")
         ->check(notEmpty("WIDTHxHEIGHT"))
         ->multi_option_policy(lastWins);
+    app.add_flag("--pixel-centres", options.pixelCentres,
+                 "camera samples lie at pixel centres instead of one random place of the pixel each; times stay");
     declareMapSize(app, options.mapSize, "shadow map size: texels along a side, or WIDTHxHEIGHT");
     app.add_option("--seed", options.seed, "of all random numbers")
         ->check(numberFrom(0u, 4294967295u))

@@ -27,6 +27,7 @@ struct FrameOptions {
     ShutterPosition shutterPosition = ShutterPosition::Start;
     std::string camera;                          ///< name of one of the scene's cameras; empty for the first
     std::optional<CameraPose> pose;              ///< instead: a static camera of one's own
+    bool pixelCentres = false;                   ///< camera samples at pixel centres
     bool forceDynamic = false, noCache = false;  ///< yardsticks for what the plan and the caches save
 };
 

@@ -65,6 +65,9 @@ void drawSamplingPanel(Session& session, Widgets& widgets) {
         "Camera samples of each pixel, one per stratum of the shutter. Less noise; time in proportion. A "
         "technique that accumulates renders draws as many as it has renders.";
     widgets.slider("spp", "Samples per pixel", session.moment.request.samplesPerPixel, samples);
+    widgets.checkbox("pixel_centres", "Pixel centres", session.moment.request.pixelCentres, false,
+                     "Samples lie at the centres of pixels instead of one random place of the pixel each, at the same "
+                     "times: edges as of a rasteriser, without antialiasing. A technique may ask for it by itself.");
     drawMapSize(session, widgets);
     drawShutter(session, widgets);
     Widgets::Number seed;

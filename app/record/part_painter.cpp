@@ -49,7 +49,7 @@ FrameRequest PartPainter::requestNow() const {
 }
 
 std::optional<DisplayImage> PartPainter::next() {
-    const FrameRequest request = requestNow();
+    const FrameRequest request = askedByAll(requestNow(), techniques_);
     std::vector<DisplayImage> pictures;
     for (const ComparedTechnique& compared : techniques_) {
         if (done_ == 0) drawWarmUp(renderer_, planner_, *compared.technique, request, part_.drawn.view);

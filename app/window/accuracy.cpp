@@ -149,7 +149,7 @@ bool Accuracy::update(Session& session) {
         state_ = State::Waiting;
         return before != State::Waiting;
     }
-    if (probe_.aim(session.scene.planner(), session.scene.number(), session.moment.request)) clear();
+    if (probe_.aim(session.scene.planner(), session.scene.number(), session.askedRequest())) clear();
     ProbeSubject now = subjectOf(session);
     if (now != now_) {
         now_ = std::move(now);

@@ -52,7 +52,8 @@ FrameRequest smallCopyOf(const FrameRequest& request, int longestSide) {
 
 std::vector<double> smallCopyKey(const FrameRequest& small, int scene) {
     std::vector<double> key = momentKeyOf(small);
-    key.insert(key.end(), {double(scene), double(small.width), double(small.height), double(small.seed)});
+    key.insert(key.end(), {double(scene), double(small.width), double(small.height), double(small.seed),
+                           double(small.pixelCentres)});
     return key;
 }
 
@@ -108,7 +109,7 @@ std::optional<ProbePoint> AccuracyProbe::step() {
 }
 
 FramePlan AccuracyProbe::planFor(int samplesPerPixel, const MapSize& mapSize) {
-    FrameRequest request = request_;
+    FrameRequest request = technique_ ? technique_->asked(request_) : request_;
     request.samplesPerPixel = samplesPerPixel;
     request.mapSize = mapSize;
     return planner_->plan(request);

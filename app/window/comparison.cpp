@@ -93,7 +93,7 @@ bool Comparison::updateErrors(Session& session) {
     // What is measured is the whole shutter.
     if (!settled(session) || session.moment.playback.playing() || session.moment.instant || session.recording.on())
         return false;
-    if (probe_.aim(session.scene.planner(), session.scene.number(), session.moment.request)) points_.clear();
+    if (probe_.aim(session.scene.planner(), session.scene.number(), session.askedRequest())) points_.clear();
     for (Technique* technique : {&session.technique.current(), technique_.get()}) {
         const ProbeSubject subject = subjectOfTechnique(*technique, session.moment.request);
         if (std::any_of(points_.begin(), points_.end(),

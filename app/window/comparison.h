@@ -21,7 +21,7 @@ class Comparison {
     bool on() const { return technique_ != nullptr; }
     /// Takes a technique with its settings as the second one. Null ends the comparison.
     void choose(std::unique_ptr<Technique> technique);
-    Technique* technique() { return technique_.get(); }
+    Technique* technique() const { return technique_.get(); }
     /// Exchanges the two, so that the panel's sliders are the other's.
     void swap(Session& session);
 

@@ -28,7 +28,7 @@ bool DiagnosticPicture::update(Session& session, int pictureWidth) {
         caption_ = session.view.diagnostic == Diagnostic::None ? "" : "waiting for the picture to be still";
         return shown;
     }
-    const FrameRequest small = smallCopyOf(session.moment.request, longestSide);
+    const FrameRequest small = smallCopyOf(session.askedRequest(), longestSide);
     std::vector<double> key = smallCopyKey(small, session.scene.number());
     // One size larger than the place, which then shrinks it: letters and squares stay crisp.
     enlarged_ = std::clamp((pictureWidth + small.width - 1) / small.width, 1, 16);
@@ -58,7 +58,7 @@ void DiagnosticPicture::begin(Session& session, std::vector<double> key, const P
     reference_.reset();
     if (!renderer_) renderer_.emplace();
     technique_ = techniqueOf(subject, renderer_->programs());
-    const FrameRequest small = smallCopyOf(session.moment.request, longestSide);
+    const FrameRequest small = smallCopyOf(session.askedRequest(), longestSide);
     drawWarmUp(*renderer_, session.scene.planner(), *technique_, small, View::Visibility);
     plan_ = session.scene.planner().plan(small);
     if (ofError_) {

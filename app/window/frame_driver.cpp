@@ -31,7 +31,8 @@ std::vector<double> methodKeyOf(const FrameDriver::Wanted& wanted) {
 
 std::vector<double> frameKeyOf(const FrameDriver::Wanted& wanted) {
     std::vector<double> key = momentKeyOf(wanted.request);
-    key.insert(key.end(), {double(wanted.view), double(wanted.request.seed), double(wanted.shaders)});
+    key.insert(key.end(), {double(wanted.view), double(wanted.request.seed), double(wanted.request.pixelCentres),
+                           double(wanted.shaders)});
     return key;
 }
 

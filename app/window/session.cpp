@@ -63,6 +63,7 @@ void Session::keepPicture() {
     options.samplesPerPixel = request.samplesPerPixel;
     options.mapSize = request.mapSize;
     options.seed = request.seed;
+    options.pixelCentres = request.pixelCentres;
     options.instant = moment.instant;
     options.shutterPosition = request.shutter.position;
 }
@@ -181,13 +182,19 @@ void Session::advance(double newNow) {
     notices.advance(now);
 }
 
+FrameRequest Session::askedRequest() const {
+    const FrameRequest request = technique.current().asked(moment.request);
+    return comparison.on() ? comparison.technique()->asked(request) : request;
+}
+
 FrameDriver::Wanted Session::wanted(bool mouseHeld) {
     FrameRequest& request = moment.request;
     request.frame = moment.playback.frame();
     request.cameraPose.reset();
     if (camera.orbit) request.cameraPose = camera.orbit->pose();
     view.keepTo(technique.current());
-    const FrameRequest drawn = moment.instant ? atInstant(request, *moment.instant) : request;
+    const FrameRequest whole = askedRequest();
+    const FrameRequest drawn = moment.instant ? atInstant(whole, *moment.instant) : whole;
     return {&scene.planner(),
             &technique.current(),
             scene.number(),

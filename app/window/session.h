@@ -47,6 +47,9 @@ struct Session {
     void advance(double newNow);
     /// The frame that is to be drawn now.
     FrameDriver::Wanted wanted(bool mouseHeld);
+    /// The moment's frame as the techniques that are shown ask for it: in a comparison both are drawn on the same
+    /// camera samples.
+    FrameRequest askedRequest() const;
     void notify(std::string text, bool bad = false) { notices.show(std::move(text), bad, now); }
 
     PictureOptions options;  ///< as given; what belongs to the first scene alone is cleared when another is opened

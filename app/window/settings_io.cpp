@@ -81,6 +81,7 @@ PictureOptions pictureOptions(Session& session) {
     options.samplesPerPixel = request.samplesPerPixel;
     options.mapSize = request.mapSize;
     options.seed = request.seed;
+    options.pixelCentres = request.pixelCentres;
     options.frame = session.moment.playback.frame();
     options.seconds.reset();
     options.framesPerSecond = request.shutter.framesPerSecond;

@@ -33,8 +33,8 @@ struct Player {
            FrameRequest frameRequest)
         : scene(std::move(played)),
           planner(*scene),
-          request(frameRequest),
-          drawn(TechniqueVariant::of(technique).make({}, renderer.programs())) {
+          drawn(TechniqueVariant::of(technique).make({}, renderer.programs())),
+          request(drawn->asked(std::move(frameRequest))) {
         row.effect = std::move(effect);
         row.technique = technique;
     }
@@ -82,8 +82,8 @@ struct Player {
     FrameRenderer renderer;
     FramePlanner planner;
     MotionClassifier memory;
-    FrameRequest request;
     std::unique_ptr<Technique> drawn;
+    FrameRequest request;
     EffectRow row;
     std::map<std::string, std::vector<double>> times;
 };

@@ -46,11 +46,12 @@ std::string textOf(const std::optional<CameraPose>& pose) {
 
 /// Taken apart as a whole, so that a field that is added later cannot be left out.
 std::string textOf(const FrameRequest& request) {
-    const auto& [width, height, samples, map, seed, frame, shutter, camera, forceDynamic, caches, pose] = request;
-    return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {} of {} at {}, camera {}, {}{}pose {}",
+    const auto& [width, height, samples, map, seed, frame, shutter, camera, forceDynamic, caches, centres, pose] =
+        request;
+    return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {} of {} at {}, camera {}, {}{}{}pose {}",
                        width, height, samples, map.text(), seed, frame, shutter.length, shutter.framesPerSecond,
                        static_cast<int>(shutter.position), camera, forceDynamic ? "force dynamic, " : "",
-                       caches ? "" : "no cache, ", textOf(pose));
+                       caches ? "" : "no cache, ", centres ? "pixel centres, " : "", textOf(pose));
 }
 
 }  // namespace

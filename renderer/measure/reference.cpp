@@ -52,6 +52,9 @@ FramePlan batchPlan(const FramePlan& plan, int batch) {
     drawn.block.timeScale = 1.0f / static_cast<float>(maximumSamplesPerPixel);
     // Seeds of their own, so that no image under test shares its noise with the reference.
     drawn.block.seed = 0x7ef00000u + static_cast<std::uint32_t>(batch);
+    // What a pixel should show is the mean over its area, wherever the image under test has its samples.
+    drawn.request.pixelCentres = false;
+    drawn.block.pixelCentres = 0;
     return drawn;
 }
 
@@ -60,7 +63,7 @@ FramePlan batchPlan(const FramePlan& plan, int batch) {
 std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options) {
     shared::FrameBlock block = plan.block;
     block.seed = block.strata = 0;  // of the image under test
-    block.mapWidth = 0;
+    block.mapWidth = block.pixelCentres = 0;
     block.timeScale = 0.0f;
     block.lightCone.w = 0.0f;  // the width of a map texel
     ReferenceDigest frame;

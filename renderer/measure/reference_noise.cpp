@@ -11,7 +11,8 @@ double referenceNoise(FrameRenderer& renderer, FramePlanner& planner, const Fram
                       const LinearImage& reference, int samplesPerPixel) {
     FrameRequest batch = request;
     batch.samplesPerPixel = maximumSamplesPerPixel;
-    batch.seed = 0x7ef10000u;  // neither the reference's nor one that is likely to be asked for
+    batch.pixelCentres = false;  // as of the reference
+    batch.seed = 0x7ef10000u;    // neither the reference's nor one that is likely to be asked for
     ReferenceTechnique technique;
     renderer.draw(planner.plan(batch), technique, View::Final);
     renderer.timer().finishFrame();

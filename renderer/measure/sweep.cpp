@@ -118,11 +118,16 @@ class SceneSweep {
         request.seed = scene_.request.seed + static_cast<std::uint32_t>(round);
         return request;
     }
+    /// Each technique on the samples that it asks for: what is compared here are errors, each against the truth of its
+    /// own samples, or against the whole pixel's.
+    FrameRequest requestFor(const Subject& subject, int round) const {
+        return subject.technique->asked(requestFor(subject.point, round));
+    }
 
     FramePlan planFor(const SweepPoint& point, int round) { return planner_.plan(requestFor(point, round)); }
 
     void time(Subject& subject, int round) {
-        const FrameRequest request = requestFor(subject.point, round);
+        const FrameRequest request = requestFor(subject, round);
         if (isBaseline(subject.point)) {
             renderer_.draw(planner_.plan(request), *subject.technique, View::Final);
             std::map<std::string, double> steps = stepsOf(renderer_.timer().finishFrame());
@@ -172,8 +177,9 @@ class SceneSweep {
         VerificationOptions how;
         how.checkPrimaries = subject.technique->renders() == 1;
         how.reference = visibility_;
-        drawWarmUp(renderer_, planner_, *subject.technique, requestFor(subject.point, 0), View::Final);
-        row.verification = verifyFrame(renderer_, planFor(subject.point, 0), *subject.technique, how);
+        const FrameRequest request = requestFor(subject, 0);
+        drawWarmUp(renderer_, planner_, *subject.technique, request, View::Final);
+        row.verification = verifyFrame(renderer_, planner_.plan(request), *subject.technique, how);
         renderer_.timer().finishFrame();
     }
 

@@ -46,7 +46,7 @@ void testLight(const FramePlan& plan, const glm::dvec3& normal, Receiver& receiv
 
 CameraRay cameraRay(const FramePlan& plan, SampleIndex sample) {
     const glm::uvec2 pixel(sample.x, sample.y);
-    const glm::vec3 pattern = shared::samplePattern(pixel, sample.stratum, plan.block.seed, SALT_CAMERA);
+    const glm::vec3 pattern = shared::cameraSample(pixel, sample.stratum, plan.block.seed, plan.block.pixelCentres);
     const float u = shared::sampleTime(plan.block.timeBase, plan.block.timeScale, sample.stratum, pattern.z);
     return cameraRayThrough(plan, glm::vec2(pixel) + glm::vec2(pattern), u);
 }

@@ -309,6 +309,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     plan.block.imageSize = {request.width, request.height};
     plan.block.mapWidth = static_cast<std::uint32_t>(request.mapSize.width);
     plan.block.weight = 1.0f;
+    plan.block.pixelCentres = request.pixelCentres ? 1u : 0u;
 
     decideMotion(plan);
 

@@ -19,8 +19,10 @@ struct FrameRequest {
     double frame = 0.0;  ///< number of the frame; whole numbers unless scrubbing
     Shutter shutter;
     std::size_t cameraIndex = 0;
-    bool forceDynamic = false;             ///< treat every triangle as dynamic, cull no unseen shadow, cache nothing
-    bool useCaches = true;                 ///< false: draw static parts again in every frame
+    bool forceDynamic = false;  ///< treat every triangle as dynamic, cull no unseen shadow, cache nothing
+    bool useCaches = true;      ///< false: draw static parts again in every frame
+    bool pixelCentres =
+        false;  ///< camera samples lie at pixel centres, not at one random place of the pixel each; their times stay
     std::optional<CameraPose> cameraPose;  ///< replaces the scene's camera; static during the shutter
 };
 

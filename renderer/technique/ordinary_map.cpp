@@ -17,7 +17,7 @@ void OrdinaryMap::visitSettings(SettingsVisitor& visitor) {
 
 Footprint OrdinaryMap::footprint() const {
     Footprint footprint;
-    footprint.filterTexels = pcfRadius_ > 0 ? 2.0 * pcfRadius_ + 1.0 : 0.0;
+    footprint.filterTexels = Footprint::filterOf(pcfRadius_);
     return footprint;
 }
 

@@ -32,6 +32,12 @@ class Technique : public HasSettings {
     const std::string& settingsPrefix() const override { return description().name; }
     /// Why this plan can't be drawn, in words for the user; nothing if it can.
     virtual std::optional<std::string> unsupported(const FramePlan&) const { return std::nullopt; }
+    /// The request as this technique has it drawn, with its settings as they are: a published form may say where in a
+    /// pixel its sample lies. Asking twice changes nothing more. Whoever plans a frame for a technique plans this; what
+    /// is compared with it in one picture is drawn of the same request, on the same camera samples.
+    virtual FrameRequest asked(FrameRequest request) const { return request; }
+    /// What of its settings this plan does not allow, and what is done instead, in words for the user.
+    virtual std::vector<std::string> warnings(const FramePlan&) const { return {}; }
     /// What one value of it averages over, with its settings as they are.
     virtual Footprint footprint() const { return {}; }
     /// Where and when it looks for casters, with its settings as they are: what the named cases hold it to.

@@ -51,7 +51,7 @@ vec3 cameraRayAt(vec2 position, float u) {
 // Where the camera ray of the sample meets the triangle's plane at the sample's time. The same arithmetic as the sample
 // pass.
 Receiver receiverOf(MovingTriangle t, uint id, uvec2 pixel, uint stratum) {
-    vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA);
+    vec3 pattern = cameraSample(pixel, stratum, frame.seed, frame.pixelCentres);
     float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
     vec2 position = (vec2(pixel) + pattern.xy) / cameraView.size;
     vec3 v0 = inCameraAt(t.open0, t.close0, u);

@@ -44,7 +44,7 @@ Sample sampleOf(uvec2 pixel) {
     vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_LIGHT);
     pattern.xy = vec2(0.5);  // a map is sampled at its texels' centres, at random times
 #else
-    vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA);
+    vec3 pattern = cameraSample(pixel, stratum, frame.seed, frame.pixelCentres);
 #endif
     float u = sampleTime(frame.timeBase, stratumLength, stratum, pattern.z);
     return Sample((vec2(pixel) + pattern.xy) / view.size, u);

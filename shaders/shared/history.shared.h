@@ -52,7 +52,8 @@ struct HistoryBlock {
     uint mayConverge;       // 1: converged pixels are not tested in every frame
     uint round;             // frames since the camera stopped
     uint framesDue;         // converged pixels are tested whose phase falls in one of so many frames
-    uint padding0, padding1;
+    float previousNear;     // near distance of the camera one frame ago
+    uint padding0;
 };
 
 /// Equation 5 of Scherzer, Jeschke, Wimmer 2007: 1 where the point falls on a texel's centre, 0 on a texel's border, by
@@ -77,6 +78,6 @@ SHARED_END
 
 #ifdef __cplusplus
 namespace timeshade::shared {
-static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 14 * 4 + 8, "std140 layout changed: fix both readers");
+static_assert(sizeof(HistoryBlock) == 4 * 64 + 2 * 16 + 15 * 4 + 4, "std140 layout changed: fix both readers");
 }
 #endif

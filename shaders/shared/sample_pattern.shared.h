@@ -20,6 +20,14 @@ SHARED_FUNCTION vec3 samplePattern(uvec2 pixel, uint k, uint seed, uint salt) {
                 unitInterval(hashWord(shift.z + k * 0x9e3779b9u)));
 }
 
+/// The pattern of a camera sample. `pixelCentres` as in FrameBlock: not 0 puts it at the pixel's centre, at the same
+/// time. All that must know where a camera sample lies calls this.
+SHARED_FUNCTION vec3 cameraSample(uvec2 pixel, uint k, uint seed, uint pixelCentres) {
+    vec3 pattern = samplePattern(pixel, k, seed, SALT_CAMERA);
+    if (pixelCentres != 0u) pattern = vec3(SHARED_FLOAT(0.5), SHARED_FLOAT(0.5), pattern.z);
+    return pattern;
+}
+
 /// Shutter time of the sample in stratum k: u = base + (k + xi) * scale. With base 0 and scale 1/N these are the
 /// stratified sample times of docs/numerics.md; scale 0 puts every sample at the instant `base`. Never above 1,
 /// whatever 1/N rounds to.

@@ -80,7 +80,8 @@ std::vector<Packet> primaryPackets(const FramePlan& plan) {
                 Packet& packet = packets.emplace_back();
                 for (int lane = 0; lane < 8; ++lane) {
                     const glm::uvec2 pixel(static_cast<unsigned>(x + lane), static_cast<unsigned>(y));
-                    const glm::vec3 pattern = shared::samplePattern(pixel, stratum, plan.block.seed, SALT_CAMERA);
+                    const glm::vec3 pattern =
+                        shared::cameraSample(pixel, stratum, plan.block.seed, plan.block.pixelCentres);
                     const glm::dvec2 at =
                         (glm::dvec2(pixel) + glm::dvec2(pattern)) / glm::dvec2(plan.camera.block.size);
                     const glm::vec3 from(plan.camera.open.eye),

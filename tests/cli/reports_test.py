@@ -8,13 +8,17 @@ from program import COMPUTED, CONTEXTS, PROGRAM, QUICK, SCENES, TECHNIQUES, Pict
 
 
 class Convergence(ProgramTest):
-    PUBLISHED = "history:as_published=on:jitter=2:fit=0:bias=0.5"
+    PUBLISHED = "history:as_published=on:published_bias=0.5"
     COMMON = ("--size", "64x48", "--map", "64", "--spp", "1", "--shutter", "0", "-o", "F")
 
     def wrong_pixels(self):
         """Percent of wrong pixels by curve and number of frames."""
-        rows = [line.rsplit(",", 2) for line in (self.folder / "F/frusta.csv").read_text().splitlines()[1:]]
-        return {(name.strip('"'), int(frames)): float(percent) for name, frames, percent in rows}
+        return {key: traced for key, (traced, _) in self.both_targets().items()}
+
+    def both_targets(self):
+        """The same against the ray tracer and against each curve's own converged picture."""
+        rows = [line.rsplit(",", 3) for line in (self.folder / "F/frusta.csv").read_text().splitlines()[1:]]
+        return {(name.strip('"'), int(frames)): (float(traced), float(own)) for name, frames, traced, own in rows}
 
     def test_variants_are_measured_frame_by_frame(self):
         self.succeed("measure", "frusta", "--convergence", "1,4", "--techniques", f"{self.PUBLISHED},history",
@@ -26,7 +30,16 @@ class Convergence(ProgramTest):
         self.assertNotEqual(wrong["history, after motion", 1], wrong["history", 1])
         strip = Picture((self.folder / "F/frusta-strip.png").read_bytes())
         self.assertEqual((strip.width, strip.height), (2 * (2 * 48 + 1) - 1, 2 * (2 * 48 + 1) - 1))
-        self.assertIn("frusta.png", (self.folder / "F/report.md").read_text())
+        report = (self.folder / "F/report.md").read_text()
+        for name in ("frusta.png", "frusta-own.png"):
+            self.assertIn(name, report)
+            Picture((self.folder / "F" / name).read_bytes())
+
+    def test_a_picture_comes_nearer_to_its_own_converged_one(self):
+        self.succeed("measure", "frusta", "--convergence", "1,20,256", "--techniques", "history", *self.COMMON)
+        own = {frames: off for (name, frames), (_, off) in self.both_targets().items() if name == "history"}
+        self.assertGreater(own[1], own[20])
+        self.assertEqual(own[256], 0.0, "that is the picture itself")
 
     def test_by_default_all_that_converge(self):
         self.succeed("measure", "frusta", "--history-frames", "1,2", *self.COMMON)
@@ -228,6 +241,38 @@ class Manifests(ProgramTest):
                           "--size", "{}x{}".format(*report["size"]), "--map", report["map"], "--seed", report["seed"],
                           "--frame", report["frame"], "--fps", report["fps"], "--shutter", report["shutter"], *settings)
         self.assertEqual(first, again)
+
+
+class PixelCentres(ProgramTest):
+    """Where a pixel's samples lie: a frame's option, which a technique may ask for."""
+    PUBLISHED = ("--technique", "history", "--set", "history.as_published=on")
+
+    def centres(self, *arguments):
+        """The picture, and whether its manifest says that samples lie at pixel centres."""
+        picture = self.shot("chess", "C.png", *QUICK, "--json", "C.json", *arguments)
+        return picture, json.loads((self.folder / "C.json").read_text()).get("pixel_centres", False)
+
+    def test_an_option_of_the_frame(self):
+        anywhere, at_centres = self.centres()
+        self.assertFalse(at_centres)
+        centred, at_centres = self.centres("--pixel-centres")
+        self.assertTrue(at_centres)
+        self.assertNotEqual(centred, anywhere)
+        (self.folder / "S.json").write_text('{"pixel-centres": true}')
+        self.assertEqual(self.centres("--settings", "S.json"), (centred, True))
+
+    def test_a_technique_asks_for_it(self):
+        asked, at_centres = self.centres(*self.PUBLISHED)
+        self.assertTrue(at_centres)
+        self.assertEqual(self.centres(*self.PUBLISHED, "--pixel-centres"), (asked, True))
+        self.assertFalse(self.centres("--technique", "history")[1])
+        verified = json.loads(self.succeed("verify", "chess", *QUICK, *self.PUBLISHED, "--json", "-"))
+        self.assertTrue(verified["pixel_centres"])
+
+    def test_what_is_compared_has_the_same_samples(self):
+        self.shot("chess", "C.png", *QUICK, "--compare", "tsm,history:as_published=on", "--json", "C.json")
+        compared = json.loads((self.folder / "C.json").read_text())["compare"]
+        self.assertEqual([one["pixel_centres"] for one in compared], [True, True])
 
 
 class Sequences(ProgramTest):

@@ -22,7 +22,7 @@ struct Ray {
 };
 
 Ray rayOf(const FramePlan& plan, unsigned x, unsigned y, unsigned k) {
-    const glm::vec3 pattern = shared::samplePattern({x, y}, k, plan.block.seed, SALT_CAMERA);
+    const glm::vec3 pattern = shared::cameraSample({x, y}, k, plan.block.seed, plan.block.pixelCentres);
     Ray ray;
     ray.u = static_cast<double>(shared::sampleTime(plan.block.timeBase, plan.block.timeScale, k, pattern.z));
     const double s = (x + static_cast<double>(pattern.x)) / plan.request.width,
@@ -153,6 +153,14 @@ TEST(SamplePass, TurningCamera) {
     expectTrue(
         compareMoving({.quads = 60, .seed = 13, .cameraTurns = true}, ProceduralScene::request(160, 120, 4, 16, 1)),
         0.2);
+}
+
+TEST(SamplePass, PixelCentres) {
+    for (const bool turns : {false, true}) {
+        FrameRequest request = ProceduralScene::request(160, 120, 4, 16, 1);
+        request.pixelCentres = true;
+        expectTrue(compareMoving({.quads = 60, .seed = 13, .cameraTurns = turns}, request), 0.2);
+    }
 }
 
 TEST(SamplePass, TrianglesAroundTheEye) {

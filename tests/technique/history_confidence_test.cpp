@@ -1,11 +1,11 @@
 // Confidence and smoothing of the technique `history` against their closed forms.
 #include <gtest/gtest.h>
 
+#include "passes/seen_body.h"
 #include "shared/sample_pattern.shared.h"
 #include "support/drawn_view.h"
 #include "technique/history_scenes.h"
 #include "techniques/history/map_raster.h"
-#include "techniques/history/seen_body.h"
 
 namespace timeshade {
 namespace {
@@ -45,13 +45,14 @@ TEST(Confidence, IsThatOfTheTurnedMap) {
     setFromText(*technique, "try_triangles", "off");  // whose hits are sure anywhere
     for (std::uint32_t frame = 0; frame < 4; ++frame) {
         const std::vector<float> view = drawnView(plan, *technique, "confidence");
-        const glm::dmat3 map = mapRaster(plan, MapFit::Seen, MapJitter::ShiftAndTurn, frame);
+        const glm::dmat3 map = mapRaster(plan, MapFit::Seen, MapJitter::ShiftAndTurn, frame).mapFromPlane;
         int compared = 0;
         for (int y = 0; y < 18; ++y)
             for (int x = 0; x < 24; ++x) {
                 const float shown = view[static_cast<std::size_t>(y * 24 + x)];
                 if (shown < 0.0f) continue;
-                const glm::vec3 pattern = shared::samplePattern(glm::uvec2(x, y), 0u, plan.block.seed, SALT_CAMERA);
+                const glm::vec3 pattern =
+                    shared::cameraSample(glm::uvec2(x, y), 0u, plan.block.seed, plan.block.pixelCentres);
                 const ViewEnd& camera = plan.camera.open;
                 const glm::dvec3 ray = camera.corner + camera.right * ((x + static_cast<double>(pattern.x)) / 24) +
                                        camera.up * ((y + static_cast<double>(pattern.y)) / 18);

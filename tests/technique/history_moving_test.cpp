@@ -129,7 +129,8 @@ TEST(HistoryMoving, ChessIsBetterThanWithAnOrdinaryMap) {
 }
 
 /// At a grazing angle a pixel's neighbours lie far apart in depth but in one plane: the floor keeps its history while
-/// the camera slides. As published, by depth, it loses it.
+/// the camera slides. As published, by filtered depth, it does so with the samples at pixel centres that it asks for;
+/// with one at a random place of each pixel, no filter finds the depth between them.
 TEST(HistoryMoving, AGrazedFloorKeepsItsHistory) {
     const auto scene = boardScene();
     for (CameraPose* camera : {&scene->cameraOpen, &scene->cameraClose})
@@ -137,20 +138,23 @@ TEST(HistoryMoving, AGrazedFloorKeepsItsHistory) {
     scene->cameraClose.eye += glm::dvec3(0.01, 0.02, 0.0);
     scene->finish();
     FramePlanner planner(*scene);
-    const auto cachedBy = [&](const char* published) {
+    const auto keptBy = [&](const char* published, bool asAsked) {
         const auto technique = makeHistory();
         setFromText(*technique, "as_published", published);
         FrameRequest request = staticRequest(32, 24, 32);
+        if (asAsked) request = technique->asked(request);
         for (; request.frame < 4.0; request.frame += 1.0) drawnLit(planner.plan(request), *technique);
         const std::vector<float> lengths = drawnView(planner.plan(request), *technique, "history-length");
         const auto tested = std::count_if(lengths.begin(), lengths.end(), [](float length) { return length >= 1.0f; });
         const auto kept = std::count(lengths.begin(), lengths.end(), 5.0f);
         return static_cast<double>(kept) / static_cast<double>(tested);
     };
-    const double repaired = cachedBy("off"), published = cachedBy("on");
-    RecordProperty("history kept", std::to_string(repaired) + " " + std::to_string(published));
+    const double repaired = keptBy("off", true), published = keptBy("on", true), anywhere = keptBy("on", false);
+    RecordProperty("history kept",
+                   std::to_string(repaired) + " " + std::to_string(published) + " " + std::to_string(anywhere));
     EXPECT_GT(repaired, 0.9);
-    EXPECT_LT(published, 0.3);
+    EXPECT_GT(published, 0.85);  // at an edge the filtered depth is neither surface's
+    EXPECT_LT(anywhere, 0.3);
 }
 
 /// A receiver is followed: a floor that slides with its camera keeps its history, as long as no shadow slides over it.

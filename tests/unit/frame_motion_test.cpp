@@ -187,6 +187,15 @@ TEST_F(FrameMotion, VersionsChangeWithStaticTrianglesAndWithNothingElse) {
     EXPECT_NE(next.versions.lit, first.versions.lit);
 
     other = request();
+    other.frame = 0.25;
+    const FramePlan anywhere = planner.plan(other);
+    other.pixelCentres = true;
+    next = planner.plan(other);
+    EXPECT_EQ(next.versions.casters, anywhere.versions.casters);
+    EXPECT_NE(next.versions.samples, anywhere.versions.samples);
+    EXPECT_NE(next.versions.lit, anywhere.versions.lit);
+
+    other = request();
     other.shutter.length = 0.0;  // the quad is static as well
     next = planner.plan(other);
     EXPECT_NE(next.versions.casters, first.versions.casters);

@@ -100,6 +100,7 @@ PictureOptions randomState(int seed) {
     if (dice.below(4) == 0) options.view = View::Visibility;
     options.forceDynamic = dice.below(4) == 0;
     options.noCache = dice.below(4) == 0;
+    options.pixelCentres = dice.below(4) == 0;
     if (dice.below(3) == 0) {
         options.compared = {"tsm:bias=2", "ranges"};
         options.compareMode = static_cast<CompareMode>(dice.below(3));
@@ -116,7 +117,7 @@ void expectSamePicture(const PictureOptions& a, const PictureOptions& b) {
               std::tie(b.width, b.height, b.samplesPerPixel, b.mapSize, b.seed));
     EXPECT_EQ(std::tie(a.frame, a.instant, a.framesPerSecond, a.shutterLength, a.shutterPosition),
               std::tie(b.frame, b.instant, b.framesPerSecond, b.shutterLength, b.shutterPosition));
-    EXPECT_EQ(std::tie(a.forceDynamic, a.noCache), std::tie(b.forceDynamic, b.noCache));
+    EXPECT_EQ(std::tie(a.forceDynamic, a.noCache, a.pixelCentres), std::tie(b.forceDynamic, b.noCache, b.pixelCentres));
     EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam),
               std::tie(b.view, b.techniqueView, b.compared, b.compareMode, b.seam));
     ASSERT_EQ(a.pose.has_value(), b.pose.has_value());

@@ -122,6 +122,21 @@ Means meansOver(const Oracle& oracle, const FramePlan& plan, std::uint32_t rays,
 }
 
 /// A ground that slides by one unit: the edge passes a point that is at x at time t when x + u - t = 2 u - 1.
+/// What a pixel should show is the mean over its area, wherever its samples lie.
+TEST(OracleMeans, PixelsAreMeansOverTheirArea) {
+    const SweepingEdge scene;
+    FramePlan plan = scene.plan(side, side, 4);
+    const auto litOf = [&] {
+        std::vector<std::uint32_t> lit;
+        for (const VisibilityMean& mean : Oracle(plan).pixelMeans(plan, 0, side, 64, 5)) lit.push_back(mean.lit);
+        return lit;
+    };
+    const std::vector<std::uint32_t> anywhere = litOf();
+    plan.request.pixelCentres = true;
+    plan.block.pixelCentres = 1;
+    EXPECT_EQ(litOf(), anywhere);
+}
+
 TEST(OracleMeans, APointIsFollowedOnItsTriangle) {
     const SweepingEdge scene(1.0);
     const FramePlan plan = scene.plan(side, side, 4);

@@ -104,6 +104,15 @@ TEST(SamplePattern, TimesOfAnInstantAreThatInstant) {
         EXPECT_EQ(sampleTime(0.375f, 0.0f, k, samplePattern({k, 7}, k, 3, SALT_CAMERA).z), 0.375f);
 }
 
+/// A camera sample at the pixel's centre keeps its time; elsewhere it is the pattern's.
+TEST(SamplePattern, PixelCentresMoveNothingInTime) {
+    for (unsigned k = 0; k < 32; ++k) {
+        const vec3 pattern = samplePattern({5, k}, k, 3, SALT_CAMERA);
+        EXPECT_EQ(shared::cameraSample({5, k}, k, 3, 0), pattern);
+        EXPECT_EQ(shared::cameraSample({5, k}, k, 3, 1), vec3(0.5f, 0.5f, pattern.z));
+    }
+}
+
 TEST(SamplePattern, IsUniformInEveryDimension) {
     for (const unsigned seed : {0u, 1u, 2u, 0xffffffffu}) {
         for (const unsigned k : {0u, 1u, 7u, 31u}) {

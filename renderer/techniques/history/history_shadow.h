@@ -10,6 +10,7 @@
 #include "techniques/history/converged_pixels.h"
 #include "techniques/history/dynamic_mask.h"
 #include "techniques/history/history_state.h"
+#include "techniques/history/map_raster.h"
 
 namespace timeshade {
 
@@ -17,10 +18,11 @@ namespace timeshade {
 /// Each frame rasterises its map differently. A pixel accumulates the tests of earlier frames, each weighted by how
 /// near to a texel's centre it was (equations 5 and 6), and is reprojected if the camera moves (equation 4).
 ///
-/// As published, the past is smoothed exponentially (equation 3), which never averages more than 7 tests. The repaired
-/// form stores the sums of weights and of weighted tests, so that a static picture converges; it rejects texels of the
-/// history one by one, by their distance from the receiver's plane; and with one sample per pixel it moves values away
-/// from one half, since hard shadows are 0 or 1.
+/// As published, the past is smoothed exponentially (equation 3), which never averages more than 7 tests; see
+/// published.frag. `as_published` is all of the paper at once: what the settings of the repaired form say then is of no
+/// matter. The repaired form stores the sums of weights and of weighted tests, so that a static picture converges; it
+/// rejects texels of the history one by one, by their distance from the receiver's plane; and with one sample per pixel
+/// it moves values away from one half, since hard shadows are 0 or 1.
 ///
 /// Beyond the paper the map also stores which triangle each texel saw. Averages of tests at texel centres, with any
 /// weights, locate an edge to the spacing of the centres, which falls with the square root of the number of frames. But
@@ -39,9 +41,9 @@ namespace timeshade {
 /// closed shutter these are only certain or proven pixels; otherwise, pixels near edges as well after twelve tests.
 /// Once nothing moves, the map is drawn for the due pixels of four frames at a time, and not at all after 64 frames.
 ///
-/// Memory: two buffers of 16 bytes per pixel and 8 bytes per texel of the map (4 without its triangles); once something
-/// has moved, 4 bytes per texel of the mask, 5 per triangle and a copy of the triangles; with a static camera, 8 bytes
-/// per pixel and 4 per camera sample.
+/// Memory: two buffers of 16 bytes per pixel (as published 8: the paper's 4, and for the views how many frames) and 8
+/// bytes per texel of the map (4 without its triangles); once something has moved, 4 bytes per texel of the mask, 5 per
+/// triangle and a copy of the triangles; with a static camera, 8 bytes per pixel and 4 per camera sample.
 class HistoryShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -51,6 +53,8 @@ class HistoryShadow final : public Technique {
     void visitSettings(SettingsVisitor& visitor) override;
     /// Of a frame without a past: an ordinary map at the centre of the shutter.
     Footprint footprint() const override;
+    FrameRequest asked(FrameRequest request) const override;
+    std::vector<std::string> warnings(const FramePlan& plan) const override;
     SamplingTraits samplingTraits() const override;
     std::shared_ptr<const Prediction> prediction() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
@@ -68,16 +72,21 @@ class HistoryShadow final : public Technique {
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;
 
-    /// The output of the last lookup, RGBA32F; for tests.
+    /// The output of the last lookup, RGBA32F, as published RGBA16F; for tests.
     const gl::Texture& written() const { return *buffers_[current_]; }
 
   private:
     static constexpr int framesToSettle = 64;
     std::vector<double> settingValues();
+    /// What the published form has whatever is set: sections 3.3 and 4.
+    MapFit fit() const { return asPublished_ ? MapFit::Warped : static_cast<MapFit>(fit_); }
+    MapJitter jitter() const { return asPublished_ ? MapJitter::ShiftAndTurn : static_cast<MapJitter>(jitter_); }
     bool triesTriangles() const { return tryTriangles_ && !asPublished_ && pcfRadius_ == 0; }
     shared::HistoryBlock blockOf(const FramePlan& plan) const;
     void allocate(const FramePlan& plan);
     void uploadPrevious();
+    void drawPublished(const TechniqueFrame& frame);
+    void drawTested(const TechniqueFrame& frame, const gl::Program& program, int colors);
     void invalidateConverged(const TechniqueFrame& frame);
     gl::Inputs lookupInputs() const;
     bool masksDynamicCasters() const { return !transition_.dynamicCasters.empty() && !asPublished_; }
@@ -93,6 +102,7 @@ class HistoryShadow final : public Technique {
     float bias_{}, slopeBias_{}, threshold_{}, sharpen_{};
     int pcfRadius_{};
     bool tryTriangles_{}, asPublished_{};
+    float publishedBias_{};
     int warmUp_{}, hold_{};
 
     HistoryState state_;
@@ -105,6 +115,7 @@ class HistoryShadow final : public Technique {
     std::optional<gl::Texture> previousView_;
     std::shared_ptr<const MeshTexels> uploadedPrevious_;
     std::array<std::optional<gl::Texture>, 2> buffers_;
+    bool holdsHalves_ = false;
     std::size_t current_ = 0;  ///< of the two: what was written last
     std::optional<gl::Framebuffer> target_;
     std::optional<gl::FragmentCount> tested_;

@@ -1,5 +1,8 @@
 #include "techniques/static/static_shadow.h"
 
+#include <fmt/format.h>
+
+#include "technique/fitted_map_prediction.h"
 #include "technique/technique_entry.h"
 
 namespace timeshade {
@@ -20,8 +23,63 @@ const TechniqueDescription& StaticShadow::describe() {
     return description;
 }
 
+void StaticShadow::visitSettings(SettingsVisitor& visitor) {
+    map_.visitSettings(visitor);
+    visitor.choice(
+        "fit", fit_, 0, {"whole-light", "camera-view", "lispsm"},
+        "What the map covers: all that the light reaches; what the camera sees of it; or that, with more "
+        "texels for what is near (light space perspective shadow maps). Fitted, it is drawn in every frame.");
+}
+
+std::shared_ptr<const Prediction> StaticShadow::prediction() const {
+    return fit() != MapFit::Light ? std::make_shared<FittedMapPrediction>() : Technique::prediction();
+}
+
+std::vector<std::string> StaticShadow::warnings(const FramePlan& plan) const {
+    const std::string shortfall = fit() == MapFit::Light ? "" : fitMap(plan, fit(), {}).shortfall;
+    if (shortfall.empty()) return {};
+    return {fmt::format("{}: {}", fit() == MapFit::Warped ? "fit lispsm" : "fit camera-view", shortfall)};
+}
+
+void StaticShadow::build(const TechniqueFrame& frame) {
+    if (fit() == MapFit::Light) {
+        fitted_.reset();
+        return map_.build(frame);
+    }
+    if (!fitted_) fitted_.emplace(programs_);
+    mapFromPlane_ = fitMap(frame.plan, fit(), {}).mapFromPlane;
+    fitted_->draw(frame.plan, frame.mesh, OrdinaryMap::instantOf(frame.plan), glm::mat3(mapFromPlane_));
+}
+
+void StaticShadow::drawLookup(const TechniqueFrame& frame) {
+    const gl::Program& program = programs_.get({"fitted shadow map lookup", "passes/fullscreen.vert",
+                                                "techniques/static/fitted_lookup.frag", frame.defines()});
+    program.use(gl::Inputs()
+                    .set("instant", OrdinaryMap::instantOf(frame.plan))
+                    .set("mapFromPlane", glm::mat3(mapFromPlane_))
+                    .set("planeFromMap", glm::mat3(glm::inverse(mapFromPlane_)))
+                    .texture("shadowMap", fitted_->depth()));
+    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
+    if (!target_) target_.emplace("fitted shadow map lookup target");
+    target_->setColorCount(1);
+    const gl::Texture& lit = frame.visibility.lit();
+    for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {
+        target_->attach(GL_COLOR_ATTACHMENT0, lit, static_cast<int>(stratum));
+        target_->bindForDrawing(lit.width(), lit.height());
+        program.set("stratum", stratum);
+        frame.fullscreen.draw(program);
+    }
+}
+
+std::vector<const gl::Texture*> StaticShadow::textures() const {
+    return fitted_ ? std::vector<const gl::Texture*>{&fitted_->depth()} : std::vector<const gl::Texture*>{};
+}
+
 std::vector<PassDecision> StaticShadow::passes(const FramePlan& plan) const {
-    return {{"build", "one ordinary shadow map at u = 0.5; motion is ignored on purpose", plan.motion.triangles},
+    static constexpr const char* covers[] = {"", ", fitted to what the camera sees",
+                                             ", fitted to what the camera sees, with a perspective warp"};
+    return {{"build", fmt::format("one ordinary shadow map at u = 0.5{}; motion is ignored on purpose", covers[fit_]),
+             plan.motion.triangles},
             {"lookup", "each camera sample's surface point, taken to u = 0.5, against that map", 0}};
 }
 

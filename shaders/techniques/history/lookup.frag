@@ -3,6 +3,7 @@
 //
 // MOVED: the camera or something in the scene has moved since the frame before, so that the history is reprojected.
 // TRIES_TRIANGLES: as in map_test.glsl; then the pixel's re-test period is written as well.
+#include "techniques/history/cameras.glsl"
 #include "techniques/history/map_test.glsl"
 #include "techniques/history/texel.glsl"
 
@@ -55,8 +56,6 @@ PixelTests noTests() {
 }
 
 #ifdef MOVED
-mat3 previousRays(float u) { return mat3(history.previousRaysOpen) * (1.0 - u) + mat3(history.previousRaysClose) * u; }
-
 // Has anything moved between the light and this point, in this frame's shutter, the last one's or between them? A point
 // that moves itself is taken where the map sees it.
 bool overlappedByDynamicCaster(ShadowTest test) {
@@ -79,36 +78,31 @@ struct PastPoint {
 
 PastPoint pastPointOf(Seen seen, uvec2 pixel) {
     float u = seen.receiver.time;
-    MovingTriangle before = fetchTriangle(seen.id);
-    if (!setting.as_published) before = fetchTriangleFrom(previousPositions, seen.id);
+    MovingTriangle before = fetchTriangleFrom(previousPositions, seen.id);
     Receiver was = pointAt(before, seen.id, seen.receiver.barycentrics, u);
     PastPoint p;
     p.position = was.position;
     p.normal = cross(was.edge1, was.edge2);
     p.normal *= inversesqrt(max(dot(p.normal, p.normal), 1e-30));
     p.rays = previousRays(u);
-    p.eye = mix(history.previousEyeOpen.xyz, history.previousEyeClose.xyz, u);
+    p.eye = previousEye(u);
     vec3 q = inverse(p.rays) * (was.position - p.eye);
     p.distance = q.z;
     // A pixel's history is that of its own sample position, so the displacement counts, not the position in the pixel.
-    vec2 here = vec2(pixel) + samplePattern(pixel, seen.stratum, frame.seed, SALT_CAMERA).xy;
+    vec2 here = vec2(pixel) + cameraSample(pixel, seen.stratum, frame.seed, frame.pixelCentres).xy;
     p.pixel = vec2(pixel) + (q.xy / q.z * cameraView.size - here);
-    // Rounding must not make a static camera read neighbouring texels.
-    vec2 nearest = floor(p.pixel + 0.5);
-    if (all(lessThan(abs(p.pixel - nearest), vec2(1e-3)))) p.pixel = nearest;
+    p.pixel = roundedToTexel(p.pixel);
     return p;
 }
 
 // Equation 4 of Scherzer, Jeschke and Wimmer 2007, with the surface's own motion: the history of the surface point
-// where it was one frame ago. As published only the camera is followed, and the distance is compared; else every one of
-// the four texels must have seen the receiver's plane.
+// where it was one frame ago. Every one of the four texels must have seen the receiver's plane.
 vec4 reprojected(Seen seen, uvec2 pixel) {
-    bool published = setting.as_published;
     PastPoint was = pastPointOf(seen, pixel);
     if (!(was.distance > 0.0)) return vec4(0.0);
     ivec2 corner = ivec2(floor(was.pixel));
     vec2 part = was.pixel - vec2(corner);
-    vec4 sum = vec4(0.0);
+    vec2 sum = vec2(0.0);
     float weights = 0.0, oldest = 1e7;
     uint sure = HISTORY_MAX_SURE;
     for (int i = 0; i < 4; ++i) {
@@ -118,33 +112,21 @@ vec4 reprojected(Seen seen, uvec2 pixel) {
         if (!(weight > 0.0) || !inImage) continue;
         vec4 h = texelFetch(past, texel, 0);
         if (!plausible(h)) continue;
-        vec2 offset = samplePattern(uvec2(texel), stratumOf(h), frame.seed, SALT_CAMERA).xy;
+        vec2 offset = cameraSample(uvec2(texel), stratumOf(h), frame.seed, frame.pixelCentres).xy;
         vec2 at = (vec2(texel) + offset) / cameraView.size;
         vec3 point = was.eye + was.rays * vec3(at, 1.0) * h.z;
-        float off = published ? abs(h.z - was.distance) : abs(dot(was.normal, point - was.position));
-        if (!published && off > history.threshold * was.distance) continue;
-        if (!published)
-            h.xy *= min(1.0, history.memory / h.y);  // or a proven texel beside it would outweigh all others
-        sum += weight * vec4(h.xy, off, 0.0);
+        float off = abs(dot(was.normal, point - was.position));
+        if (off > history.threshold * was.distance) continue;
+        h.xy *= min(1.0, history.memory / h.y);  // or a proven texel beside it would outweigh all others
+        sum += weight * h.xy;
         weights += weight;
         oldest = min(oldest, ageOf(h));
         sure = min(sure, sureOf(h));
     }
-    if (published && (weights < 0.999 || sum.z > history.threshold * was.distance)) return vec4(0.0);
     if (weights < 1e-3) return vec4(0.0);
-    return vec4(sum.xy / weights, was.distance, packedAge(oldest, sure, 0u));
+    return vec4(sum / weights, was.distance, packedAge(oldest, sure, 0u));
 }
 #endif
-
-// Distance along the ray of its image position, as the camera measures it at the receiver's time.
-float distanceOf(Receiver r, vec2 position) {
-    float distance = inCameraAt(r.position, r.position, r.time).z;
-#ifdef CAMERA_TURNS
-    return distance / cameraRayAt(position, r.time).z;
-#else
-    return distance;
-#endif
-}
 
 void addTest(inout PixelTests tests, ShadowTest test, uint stratum) {
     float weight = max(confidenceWeight(test.confidence, history.exponent), 1e-12);
@@ -201,11 +183,11 @@ vec4 pastOf(PixelTests tests, uvec2 pixel, float lit) {
     if (history.hasPast == 0u) return vec4(0.0);
 #ifdef MOVED
     vec4 before = reprojected(tests.seen, pixel);
-    if (moves(tests.seen.id)) {  // as published the mask is not made
+    if (moves(tests.seen.id)) {
         // Its path through the light is unknown: the past may stay as long as the test agrees with it.
         if (!(abs(before.x - lit * before.y) <= 0.02 * before.y)) before = vec4(0.0);
         before.xy *= min(1.0, 2.0 / max(before.y, 1e-12));
-    } else if (tests.overlapped && !setting.as_published) {
+    } else if (tests.overlapped) {
         before = vec4(0.0);
     }
 #else
@@ -216,12 +198,6 @@ vec4 pastOf(PixelTests tests, uvec2 pixel, float lit) {
 
 // The pixel's merged lit value, and what the history holds of it from now on.
 float mergedLit(PixelTests tests, vec4 before, float lit, out vec2 merged) {
-    if (setting.as_published) {
-        float weight = tests.weightSum / tests.count;
-        float shown = before.y > 0.0 ? smoothed(before.x, lit, weight) : lit;
-        merged = vec2(unpackHalf2x16(packHalf2x16(vec2(shown, 0.0))).x, 1.0);
-        return merged.x;
-    }
     before.xy *= min(1.0, history.memory / max(before.y, 1e-12));
     vec2 sum = before.xy + history.weightScale * vec2(tests.weightedLit, tests.weightSum) / tests.count;
     sum *= min(1.0, HISTORY_MAX_WEIGHT / sum.y);
@@ -269,7 +245,7 @@ void main() {
     vec2 merged;
     float shown = mergedLit(tests, before, lit, merged);
 
-    vec2 offset = samplePattern(pixel, tests.seen.stratum, frame.seed, SALT_CAMERA).xy;
+    vec2 offset = cameraSample(pixel, tests.seen.stratum, frame.seed, frame.pixelCentres).xy;
     float distance = distanceOf(tests.seen.receiver, (vec2(pixel) + offset) / cameraView.size);
     bool hasPast = before.y > 0.0;
     float age = hasPast ? ageOf(before) + 1.0 : 1.0;

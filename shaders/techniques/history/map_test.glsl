@@ -2,6 +2,7 @@
 //
 // TRIES_TRIANGLES: the triangles that the map saw are tested against the point's own ray as well.
 #include "lib/segment_test.glsl"
+#include "lib/warped_map.glsl"
 #include "techniques/history/blocks.glsl"
 
 uniform sampler2DArray shadowMap;
@@ -19,50 +20,6 @@ struct ShadowTest {
     vec2 place;        // in the light's image plane
     float depth;       // distance from the light's plane
 };
-
-// The receiver's position in this frame's map, which is turned and shifted (or warped) against the light's image plane.
-struct WarpedPoint {
-    vec2 texel;  // position in texels
-    MapPoint m;  // with slope and texel as the warped map has them
-    MapPoint plane;
-};
-
-WarpedPoint warpedPointOf(Receiver r, float u) {
-    WarpedPoint p;
-    p.plane = mapPointOf(r, u);
-    mat3 warp = mat3(history.mapFromPlane);
-    vec3 h = warp * vec3(p.plane.position, 1.0);
-    p.m = p.plane;
-    p.m.position = h.xy / h.z;
-    p.texel = p.m.position * lightView.size;
-    // Rows of the change of the warped position with the plane's position.
-    vec3 weightRow = vec3(warp[0].z, warp[1].z, warp[2].z);
-    vec2 rowX = (vec2(warp[0].x, warp[1].x) - p.m.position.x * weightRow.xy) / h.z;
-    vec2 rowY = (vec2(warp[0].y, warp[1].y) - p.m.position.y * weightRow.xy) / h.z;
-    float area = rowX.x * rowY.y - rowX.y * rowY.x;
-    p.m.slope =
-        vec2(rowY.y * p.plane.slope.x - rowY.x * p.plane.slope.y, rowX.x * p.plane.slope.y - rowX.y * p.plane.slope.x) /
-        area;
-    p.m.texel = p.plane.texel * inversesqrt(abs(area));
-    return p;
-}
-
-// Depth of the receiver's own plane where the ray through a texel's centre meets it. A grazing plane is held within 32
-// texels of the receiver.
-float planeDepthAt(WarpedPoint p, vec2 position) {
-    float rise = dot(p.plane.slope, position - p.plane.position);
-#ifndef LIGHT_ORTHOGRAPHIC
-    rise /= max(1.0 - rise / p.plane.depth, 1e-3);
-#endif
-    return p.plane.depth + clamp(rise, -32.0 * p.m.texel, 32.0 * p.m.texel);
-}
-
-// At a texel's centre; what the map stores there has been divided by the warp's weight, 1 / inverseWeight.
-float planeDepthAtTexel(WarpedPoint p, ivec2 texel, out float inverseWeight) {
-    vec3 q = mat3(history.planeFromMap) * vec3((vec2(texel) + 0.5) / lightView.size, 1.0);
-    inverseWeight = q.z;
-    return planeDepthAt(p, q.xy / q.z);
-}
 
 #ifdef TRIES_TRIANGLES
 struct Trial {
@@ -110,7 +67,8 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
         if (id == NO_TRIANGLE || id == r.triangle) continue;
         ivec2 texel = corner + ivec2(i == 1 || i == 2 ? 1 : 0, i < 2 ? 1 : 0);
         float inverseWeight;
-        float before = planeDepthAtTexel(p, texel, inverseWeight), caster = mapDistance(stored[i] / inverseWeight);
+        float before = planeDepthAtTexel(p, mat3(history.planeFromMap), texel, inverseWeight),
+              caster = mapDistance(stored[i] / inverseWeight);
         before -= caster;
         // An exact test needs no bias, so that contacts are right.
         if (before <= 0.0) continue;
@@ -134,23 +92,30 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
     return test;
 }
 #else
+const float DEPTH_ROUNDING = 1.0 / 131072.0;  // 2^-17: some sixty units in a float's last place
+
 float litByTexel(WarpedPoint p, ivec2 texel, float publishedDepth) {
     if (!insideMap(texel)) return 1.0;
     float inverseWeight;
-    float planeDepth = planeDepthAtTexel(p, texel, inverseWeight) - setting.bias * p.m.texel;
+    float planeDepth =
+        planeDepthAtTexel(p, mat3(history.planeFromMap), texel, inverseWeight) - setting.bias * p.m.texel;
     float caster = mapDistance(texelFetch(shadowMap, ivec3(texel, 0), 0).x / inverseWeight);
-    return (setting.as_published ? publishedDepth : planeDepth) > caster ? 0.0 : 1.0;
+    // What is as far as the map's surface is not behind it, whatever rounding makes of a warped depth.
+    if (setting.as_published) return publishedDepth > caster * (1.0 + DEPTH_ROUNDING) ? 0.0 : 1.0;
+    return planeDepth > caster ? 0.0 : 1.0;
 }
 #endif
 
 ShadowTest testShadow(Receiver r, float u) {
-    WarpedPoint p = warpedPointOf(r, u);
+    WarpedPoint p = warpedPointOf(r, u, mat3(history.mapFromPlane));
 #ifdef TRIES_TRIANGLES
     return tryTriangles(r, u, p);
 #else
     ivec2 texel = ivec2(floor(p.texel));
     int radius = int(setting.pcf_radius);
-    float publishedDepth = p.m.depth - depthBias(p.m, setting.bias, setting.slope_bias * float(2 * radius + 1));
+    float publishedDepth = p.m.depth;  // no bias is published
+    if (setting.published_bias > 0.0)
+        publishedDepth -= depthBias(p.m, setting.published_bias, setting.slope_bias * float(2 * radius + 1));
     ShadowTest test;
     test.proven = test.sure = test.guessedDark = false;
     test.place = p.plane.position;

@@ -1,6 +1,6 @@
-// What a texel of the history holds. x: sum of weight times lit (as published: the smoothed lit). y: sum of weights; 0
-// where there is no past. z: distance of the surface along the ray of its image position. w: frames merged, how many of
-// the last were sure of every sample, and the number of the stratum it was seen in.
+// What a texel of the history holds; as published.frag has it, something else. x: sum of weight times lit. y: sum of
+// weights; 0 where there is no past. z: distance of the surface along the ray of its image position. w: frames merged,
+// how many of the last were sure of every sample, and the number of the stratum it was seen in.
 #include "shared/history.shared.h"
 
 // A finite share in [0, 1] at a distance in front of the camera: every comparison fails for a NaN.

@@ -25,7 +25,7 @@ float meanConfidence(uvec2 pixel) {
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     vec4 h = texelFetch(written, ivec2(pixel), 0);
-    float age = ageOf(h);
+    float age = setting.as_published ? h.z : ageOf(h);
     outputValue = -1.0;
     if (h.y <= 0.0) return;
     if (view == 0u) outputValue = meanConfidence(pixel);
