@@ -120,28 +120,27 @@ TEST(HistoryPublished, EveryFragmentHasAPlace) {
         facingAway += ids[i] != NO_TRIANGLE && ids[i] >= ofUnderside ? 1 : 0;
     }
     EXPECT_GT(nothing, 20);
-    EXPECT_GT(facingAway, 20);
+    EXPECT_GT(facingAway, 5);
 }
 
 /// What the settings of the repaired form say is of no matter.
 TEST(HistoryPublished, OneSwitchIsAllOfIt) {
     const auto scene = boardScene();
     FramePlanner planner(*scene);
+    const FrameRequest request = staticRequest(48, 36, 16);
     const auto drawn = [&](const std::vector<std::pair<const char*, const char*>>& settings) {
         const auto technique = makePublished();
         for (const auto& [key, value] : settings) setFromText(*technique, key, value);
-        EXPECT_TRUE(technique->asked(staticRequest(48, 36, 64)).pixelCentres);
-        const FramePlan plan = planner.plan(technique->asked(staticRequest(48, 36, 64)));
+        EXPECT_TRUE(technique->asked(request).pixelCentres);
+        const FramePlan plan = planner.plan(technique->asked(request));
         for (int frame = 0; frame < 3; ++frame) drawnLit(plan, *technique);
         return drawnLit(plan, *technique);
     };
     const std::vector<float> published = drawn({});
-    EXPECT_EQ(drawn({{"jitter", "0"}, {"fit", "0"}, {"bias", "2"}, {"slope_bias", "0"}, {"sharpen", "1"}}), published);
-    const std::vector<float> biased = drawn({{"published_bias", "0.5"}});
-    EXPECT_NE(biased, published);
-    EXPECT_NE(drawn({{"published_bias", "2"}}), biased);
-    EXPECT_NE(drawn({{"m_still", "3"}}), published) << "the exponent is the user's";
-    EXPECT_FALSE(makeHistory()->asked(staticRequest(48, 36, 64)).pixelCentres);
+    EXPECT_EQ(drawn({{"jitter", "0"}, {"fit", "0"}, {"bias", "16"}, {"slope_bias", "0"}, {"sharpen", "1"}}), published);
+    EXPECT_NE(drawn({{"published_bias", "16"}}), published) << "which bridges the board's height";
+    EXPECT_NE(drawn({{"m_still", "3"}, {"m", "1"}}), published) << "the exponent is the user's";
+    EXPECT_FALSE(makeHistory()->asked(request).pixelCentres);
 }
 
 /// Smoothed test and depth are stored as half floats (section 4).
