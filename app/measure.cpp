@@ -2,22 +2,20 @@
 
 #include <timeshade/commit.h>  // generated
 #include <unistd.h>
-#include <array>
-#include <fstream>
 #include <memory>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "convergence.h"
 #include "core/folder_lock.h"
 #include "effects.h"
+#include "equal.h"
 #include "frame_setup.h"
 #include "headless_gl.h"
 #include "measure/sweep_report.h"
 #include "measure/technique_variant.h"
+#include "measure_manifest.h"
 #include "output_path.h"
-#include "report.h"
 #include "scene_catalogue.h"
 #include "standard_error.h"
 #include "techniques/registry.h"
@@ -25,15 +23,6 @@
 namespace timeshade {
 
 namespace {
-
-std::string processorName() {
-    std::ifstream stream("/proc/cpuinfo");
-    std::string line;
-    while (std::getline(stream, line))
-        if (line.rfind("model name", 0) == 0)
-            return fmt::format("{}, {} threads", line.substr(line.find(':') + 2), sysconf(_SC_NPROCESSORS_ONLN));
-    return "unknown";
-}
 
 std::vector<std::string> techniquesOf(const MeasureOptions& options) {
     std::vector<std::string> names = options.measuredTechniques;
@@ -45,31 +34,6 @@ std::vector<std::string> techniquesOf(const MeasureOptions& options) {
     for (const std::string& name : names)
         if (name != "embree") TechniqueVariant::of(name).make(options.settings, programs);  // throws for an unknown one
     return names;
-}
-
-std::vector<std::string> settingLines(const std::vector<std::string>& techniques, const MeasureOptions& options) {
-    std::vector<std::string> lines;
-    gl::ProgramCache programs;
-    for (const std::string& name : techniques) {
-        if (name == "embree") continue;
-        const std::unique_ptr<Technique> technique = TechniqueVariant::of(name).make(options.settings, programs);
-        for (const Setting& setting : settingsOf(*technique))
-            if (setting.key != "renders")
-                lines.push_back(fmt::format("{}.{} = {:g}", name, setting.key, setting.get()));
-    }
-    return lines;
-}
-
-/// What moves in a scene's shutter and which passes follow, for the first technique measured.
-std::vector<std::string> planLines(const SweepScene& scene, const std::string& technique, const gl::DeviceInfo& device,
-                                   gl::ProgramCache& programs) {
-    FramePlanner planner(*scene.scene);
-    const std::string name = technique == "embree" ? techniqueDescriptions().front().name : technique;
-    const std::unique_ptr<Technique> planned = TechniqueVariant::of(name).make({}, programs);
-    std::istringstream text(explain(planner.plan(planned->asked(scene.request)), *planned, device));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-    return lines;
 }
 
 void showProgress(const std::string& what, int done, int total, double secondsLeft) {
@@ -101,6 +65,7 @@ void addScenes(const MeasureOptions& options, std::vector<std::unique_ptr<Scene>
 int runMeasure(const MeasureOptions& options) {
     if (!options.convergenceFrames.empty()) return runConvergence(options);
     if (options.effects) return runEffects(options);
+    if (!options.equalTime.empty() || !options.equalError.empty()) return runEqual(options);
     const std::filesystem::path folder = madeFolder(options.output);
     const FolderLock lock(folder);
 
@@ -127,13 +92,7 @@ int runMeasure(const MeasureOptions& options) {
     if (isatty(STDERR_FILENO) == 1) writeToStandardError("\r\033[K");
     opengl.requireSilence();
 
-    SweepManifest manifest;
-    manifest.commandLine = options.commandLine;
-    manifest.commit = TIMESHADE_COMMIT;
-    manifest.processor = processorName();
-    manifest.backEnd = opengl.backEnd();
-    manifest.device = renderer.device();
-    manifest.settings = settingLines(sweep.techniques, options);
+    SweepManifest manifest = manifestOf(options, sweep.techniques, opengl, renderer);
     for (const SweepScene& scene : sweep.scenes)
         manifest.plans[scene.varied.empty() ? scene.name
                                             : fmt::format("{} {}={:g}", scene.name, scene.varied, scene.variedValue)] =

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "measure/technique_variant.h"
 #include "options/command_parts.h"
 #include "scenes/scene_recipe.h"
 
@@ -88,6 +89,41 @@ void declareOthers(CLI::App& measure, MeasureOptions& options) {
     measure.add_flag("--effects", options.effects,
                      "instead: what each thing that moves costs, and what the plan saves, for the first of "
                      "--techniques, with the others beside it (default: --technique alone)");
+    measure
+        .add_option("--equal-time", options.equalTime,
+                    "A,B,... instead: with how many samples per pixel B, ... take as long as A does with --spp, and "
+                    "with which of --maps where several are given; pictures side by side")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    measure
+        .add_option("--equal-error", options.equalError,
+                    "A,B,... instead: with how few samples per pixel B, ... have at most the shadow error that A has "
+                    "with --spp")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+}
+
+/// Completes and checks what --equal-time or --equal-error says.
+void checkEqual(const CLI::App& measure, MeasureOptions& options) {
+    if (options.equalTime.empty() && options.equalError.empty()) return;
+    if (!options.equalTime.empty() && !options.equalError.empty())
+        throw UsageError("--equal-time, --equal-error: both given, expected one of them");
+    const std::string name = options.equalTime.empty() ? "--equal-error" : "--equal-time";
+    const std::vector<std::string>& variants = options.equalTime.empty() ? options.equalError : options.equalTime;
+    for (const char* other : {"--vary", "--effects", "--convergence", "--history-frames", "--techniques", "--spps"})
+        if (measure.get_option(other)->count() > 0)
+            throw UsageError(fmt::format("{}: {} given as well, expected one of them", name, other));
+    if (variants.size() < 2)
+        throw UsageError(
+            fmt::format("{} {}: expected two techniques or more, as in tsm,ranges", name, variants.front()));
+    if (options.referenceRays == 0)
+        throw UsageError(fmt::format("--reference-rays 0: {} needs shadow errors, expected 1 or more", name));
+    gl::ProgramCache programs;
+    for (const std::string& variant : variants) TechniqueVariant::of(variant).make(options.settings, programs);
+    // The first has --map, the others --maps; where one of the two is given alone, it is for all.
+    const bool map = measure.get_option("--map")->count() > 0, maps = measure.get_option("--maps")->count() > 0;
+    if (map && !maps) options.measuredMaps = {options.mapSize};
+    if (!map) options.mapSize = options.measuredMaps.front();
 }
 
 }  // namespace
@@ -104,13 +140,14 @@ void addMeasureCommand(CLI::App& app, Command& command) {
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     declareOthers(*measure, reading->options);
     declareDrawing(*measure, *reading);
-    whenRead(*measure, command, reading, [sampleCounts, varied](CommandReading<MeasureOptions>& read) {
+    whenRead(*measure, command, reading, [measure, sampleCounts, varied](CommandReading<MeasureOptions>& read) {
         MeasureOptions& options = read.options;
         if (!varied->empty()) {
             readVaried(*varied, options);
             if (sampleCounts->count() == 0) options.measuredSampleCounts = {options.samplesPerPixel};
         }
         checkDrawing(read, {}, "");
+        checkEqual(*measure, options);
     });
 }
 

@@ -26,6 +26,8 @@ struct MeasureOptions : FrameOptions, TechniqueOptions, CompareOptions, RunOptio
     std::vector<int> convergenceFrames;     ///< not empty for the convergence of a still picture instead
     std::string variedSetting;              ///< a computed scene's setting, "cubes.count"; empty for none
     std::vector<std::string> variedValues;  ///< the values that it takes, checked
+    std::vector<std::string> equalTime;     ///< TechniqueVariants, two or more, for equal time with the first instead
+    std::vector<std::string> equalError;    ///< the same for equal error; at most one of the two is not empty
     bool effects = false;                   ///< what each thing that moves costs instead
     int sequenceFrames = 0;                 ///< timed as steady ones in a round; 0 for one alone
     int rounds = 3;                         ///< how often each point is timed, each with a seed of its own

@@ -34,8 +34,10 @@ void SampleCountSearch::measured(double value) {
     const bool passes = direction_ == Value::Rises ? value >= target_ : value <= target_;
     if (passes) {
         high_ = at_;
+        highValue_ = value;
     } else {
         low_ = at_;
+        lowValue_ = value;
         hasLow_ = true;
     }
     if (high_ == sampleCounts_.size()) {
@@ -49,6 +51,16 @@ void SampleCountSearch::measured(double value) {
     } else {
         at_ = low_ + (high_ - low_) / 2;
     }
+}
+
+std::optional<SampleCountSearch::Measured> SampleCountSearch::shortOfTarget() const {
+    if (!hasLow_) return std::nullopt;
+    return Measured{sampleCounts_[low_], lowValue_};
+}
+
+std::optional<SampleCountSearch::Measured> SampleCountSearch::pastTarget() const {
+    if (high_ == sampleCounts_.size()) return std::nullopt;
+    return Measured{sampleCounts_[high_], highValue_};
 }
 
 void SampleCountSearch::end(bool reached) {

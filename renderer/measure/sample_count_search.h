@@ -31,6 +31,15 @@ class SampleCountSearch {
     int sampleCount() const { return sampleCounts_[nearest_]; }
     double value() const { return value_; }
 
+    struct Measured {
+        int sampleCount = 0;
+        double value = 0.0;
+    };
+    /// The neighbours between which the target lies, once the search has ended: the most samples that stay short of it,
+    /// nothing where even the fewest pass it; and the fewest that pass or meet it, nothing where even the most don't.
+    std::optional<Measured> shortOfTarget() const;
+    std::optional<Measured> pastTarget() const;
+
   private:
     void end(bool reached);
 
@@ -41,6 +50,7 @@ class SampleCountSearch {
     std::size_t low_ = 0;  ///< the largest that stays short of the target; meaningless before there is one
     bool hasLow_ = false;
     std::size_t high_;  ///< the smallest that passes it, sampleCounts_.size() while none does
+    double lowValue_ = 0.0, highValue_ = 0.0;
     std::size_t nearest_ = 0;
     double value_ = 0.0, distance_;
     Outcome outcome_ = Outcome::Searching;

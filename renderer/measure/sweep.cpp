@@ -28,11 +28,6 @@ double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-Timing timingOf(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return {values[values.size() / 2], values.front(), values.back()};
-}
-
 /// One point while it is being measured.
 struct Subject {
     SweepPoint point;
@@ -271,6 +266,11 @@ void noteStaleRows(const SweepJournal& journal, const SweepOptions& options,
 }
 
 }  // namespace
+
+Timing timingOf(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return {values[values.size() / 2], values.front(), values.back()};
+}
 
 std::string SweepPoint::key() const {
     const std::string place = varied.empty() ? scene : fmt::format("{} {}={}", scene, varied, variedValue);

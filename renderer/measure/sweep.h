@@ -36,6 +36,9 @@ struct Timing {
     double median = 0.0, low = 0.0, high = 0.0;
 };
 
+/// Of the values, which are at least one: the median (of an even number the upper), the least, the greatest.
+Timing timingOf(std::vector<double> values);
+
 /// One point in one state. The state decides the times alone: errors and statistics are those of the requested frame
 /// as `shot` draws it, equal in all rows of a point.
 struct SweepRow {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/reference_noise.h"
+#include "measure/scene_file_name.h"
 #include "measure/sweep_charts.h"
 #include "measure/sweep_journal.h"
 #include "measure/sweep_rows.h"
@@ -14,30 +15,6 @@
 namespace timeshade {
 
 namespace {
-
-std::string fileName(const std::string& scene) {
-    std::string name = std::filesystem::path(scene).stem().string();
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '_';
-    return name;
-}
-
-nlohmann::ordered_json asJson(const SweepManifest& m) {
-    return {{"command", m.commandLine},
-            {"timeshade", TIMESHADE_VERSION},
-            {"commit", m.commit},
-            {"processor", m.processor},
-            {"gl",
-             {{"back_end", m.backEnd},
-              {"vendor", m.device.vendor},
-              {"renderer", m.device.renderer},
-              {"version", m.device.version},
-              {"software", m.device.software}}},
-            {"clock", m.device.software ? "wall time around glFinish (software renderer: says nothing about a GPU)"
-                                        : "GL_TIMESTAMP on the device"},
-            {"settings", m.settings},
-            {"plans", m.plans}};
-}
 
 /// Where the error of a technique stops falling: the bias at its most samples, and whether it is above the noise. The
 /// rows are one for each point.
@@ -134,8 +111,7 @@ std::string preface(const SweepManifest& manifest) {
         text +=
             "**Software renderer**: milliseconds are finished wall times on a processor and say nothing about a GPU. "
             "Ratios between rows, which were measured in turn, are what to read.\n\n";
-    text += fmt::format("    {}\n\n{} through {}; {}; commit {}. ", manifest.commandLine, manifest.device.renderer,
-                        manifest.backEnd, manifest.processor, manifest.commit);
+    text += fmt::format("    {}\n\n{} ", manifest.commandLine, inOneLine(manifest));
     text +=
         "[manifest.json](manifest.json) holds every setting, [accuracy.csv](accuracy.csv) every number.\n\n"
         "Times are medians with their lowest and highest. Programs are compiled before any frame is timed. A *cold* "
@@ -153,7 +129,7 @@ std::string preface(const SweepManifest& manifest) {
 }
 
 std::string sceneSection(const std::vector<SweepRow>& rows, const std::string& scene) {
-    const std::string name = fileName(scene);
+    const std::string name = sceneFileName(scene);
     const SweepRow* varied = variedRow(rows, scene);
     if (varied != nullptr)
         return fmt::format(
@@ -266,17 +242,17 @@ void writeSweepReport(const std::filesystem::path& folder, const SweepManifest& 
                 return drawChart(variedChart(rows, scene, what, software), 1200, 800);
             };
             const DisplayImage time = draw(VariedChartOf::Time);
-            writePng(folder / (fileName(scene) + "-time.png"), time);
-            writePng(folder / (fileName(scene) + "-memory.png"), draw(VariedChartOf::Memory));
-            writePng(folder / (fileName(scene) + "-disagreement.png"), draw(VariedChartOf::Disagreement));
+            writePng(folder / (sceneFileName(scene) + "-time.png"), time);
+            writePng(folder / (sceneFileName(scene) + "-memory.png"), draw(VariedChartOf::Memory));
+            writePng(folder / (sceneFileName(scene) + "-disagreement.png"), draw(VariedChartOf::Disagreement));
             if (scene == scenes.front()) writePng(folder / "accuracy.png", time);
             continue;
         }
         const auto draw = [&](ChartOf what) { return drawChart(sweepChart(rows, scene, what, software), 1200, 800); };
         const DisplayImage error = draw(haveShadowErrors(rows) ? ChartOf::ShadowError : ChartOf::ImageError);
-        writePng(folder / (fileName(scene) + "-error.png"), error);
-        writePng(folder / (fileName(scene) + "-image-error.png"), draw(ChartOf::ImageError));
-        writePng(folder / (fileName(scene) + "-disagreement.png"), draw(ChartOf::Disagreement));
+        writePng(folder / (sceneFileName(scene) + "-error.png"), error);
+        writePng(folder / (sceneFileName(scene) + "-image-error.png"), draw(ChartOf::ImageError));
+        writePng(folder / (sceneFileName(scene) + "-disagreement.png"), draw(ChartOf::Disagreement));
         if (scene == scenes.front()) writePng(folder / "accuracy.png", error);
     }
     nlohmann::ordered_json json;

@@ -1,24 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "measure/sweep.h"
+#include "measure/sweep_manifest.h"
 
 namespace timeshade {
-
-/// What stands beside every number: enough to measure it again.
-struct SweepManifest {
-    std::string commandLine;
-    std::string commit;  ///< of the program; "unknown" outside a checkout
-    std::string processor;
-    std::string backEnd;
-    gl::DeviceInfo device;
-    std::vector<std::string> settings;  ///< "tsm.bias = 0.5", every setting of every technique measured
-    std::map<std::string, std::vector<std::string>> plans;  ///< scene to its plan in words, a line each
-};
 
 /// Writes accuracy.csv, accuracy.json, manifest.json, report.md and pictures per scene into an existing folder:
 /// SCENE-error.png (shadow error), SCENE-image-error.png and SCENE-disagreement.png, or, where a setting of the scene

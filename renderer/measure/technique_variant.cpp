@@ -17,7 +17,7 @@ TechniqueVariant TechniqueVariant::of(const std::string& label) {
         const std::size_t equals = part.find('=');
         if (equals == std::string::npos || equals == 0)
             throw UsageError(fmt::format(
-                "--techniques {}: '{}' given, expected KEY=VALUE after the colon, as in tsm:bias=2", label, part));
+                "technique {}: '{}' given, expected KEY=VALUE after the colon, as in tsm:bias=2", label, part));
         variant.settings.emplace_back(part.substr(0, equals), part.substr(equals + 1));
     }
     return variant;

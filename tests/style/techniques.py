@@ -45,6 +45,7 @@ ABOUT = {
     "tests/technique/two_errors_test.cpp": ("accumulation", "tsm"),
     "tests/verify/mutations_test.py": ("accumulation", "tsm"),  # breaks their shaders
     # settings and names of these techniques as examples: on the command line, in reports, in the window
+    "tests/cli/equal_test.py": ("accumulation", "exact", "static", "tsm"),
     "tests/cli/journal_test.py": ("static",),
     "tests/cli/outputs_test.py": ("accumulation",),
     "tests/cli/pictures_test.py": ("accumulation", "history", "static", "tsm"),

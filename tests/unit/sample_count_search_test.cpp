@@ -63,6 +63,25 @@ TEST(SampleCountSearch, SaysWhereTheTargetIsOutOfRange) {
     EXPECT_EQ(biased.outcome(), SampleCountSearch::Outcome::MostTooLittle);
 }
 
+TEST(SampleCountSearch, NamesTheNeighboursOfTheTarget) {
+    const auto time = [](int sampleCount) { return 10.0 * sampleCount; };
+    SampleCountSearch between(samples(), 73.0, SampleCountSearch::Value::Rises);
+    run(between, time);
+    ASSERT_TRUE(between.shortOfTarget() && between.pastTarget());
+    EXPECT_EQ(between.shortOfTarget()->sampleCount, 7);
+    EXPECT_EQ(between.shortOfTarget()->value, 70.0);
+    EXPECT_EQ(between.pastTarget()->sampleCount, 8);
+    EXPECT_EQ(between.pastTarget()->value, 80.0);
+    SampleCountSearch least(samples(), 5.0, SampleCountSearch::Value::Rises);
+    run(least, time);
+    EXPECT_FALSE(least.shortOfTarget());
+    EXPECT_EQ(least.pastTarget()->sampleCount, 1);
+    SampleCountSearch most(samples(), 500.0, SampleCountSearch::Value::Rises);
+    run(most, time);
+    EXPECT_EQ(most.shortOfTarget()->sampleCount, 32);
+    EXPECT_FALSE(most.pastTarget());
+}
+
 TEST(SampleCountSearch, AnEndThatIsNearEnoughIsAFind) {
     SampleCountSearch search(samples(), 9.0, SampleCountSearch::Value::Rises);
     run(search, [](int sampleCount) { return 10.0 * sampleCount; });
