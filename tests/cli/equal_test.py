@@ -119,7 +119,7 @@ class Equal(ProgramTest):
                 (("--equal-time", "static,tsm", "--equal-error", "static,tsm"), ("--equal-time", "--equal-error")),
                 (("--equal-time", "static"), ("--equal-time static", "expected two")),
                 (("--equal-error", "static,magic"), ("magic", "expected")),
-                (("--equal-time", "static,"), ("''", "expected")),
+                (("--equal-time", "static,"), ("--equal-time static", "expected two")),
                 (("--equal-time", "static,embree"), ("embree", "expected")),
                 (("--equal-time", "static,tsm:bias"), ("tsm:bias", "expected")),
                 (("--equal-time", "static,tsm:bias=-5"), ("bias", "expected")),
