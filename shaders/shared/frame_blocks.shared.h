@@ -59,8 +59,11 @@ struct FrameBlock {
     uint strata;         // camera samples per pixel
     uint seed;
     uvec2 imageSize;
-    uint mapSize;  // texels along a side of the shadow map
-    float weight;  // share of this render in the picture: 1 / renders
+    uint mapSize;         // texels along a side of the shadow map
+    float weight;         // share of this render in the picture; of renders that count alike 1 / renders
+    uint response;        // of the shutter, as in shutter_response.shared.h; SHUTTER_BOX where nothing moves
+    float responseWidth;  // standard deviation of SHUTTER_GAUSSIAN in u; else 0
+    uint padding0, padding1;
 };
 
 /// How vertices become what a rasteriser with a sample in space and time needs: view coordinates (X, Y, Z) that are
@@ -80,7 +83,7 @@ SHARED_END
 
 #ifdef __cplusplus
 namespace timeshade::shared {
-static_assert(sizeof(FrameBlock) == 11 * 16 + 32, "std140 layout changed: fix both readers");
+static_assert(sizeof(FrameBlock) == 11 * 16 + 48, "std140 layout changed: fix both readers");
 static_assert(sizeof(ViewBlock) == 4 * 64 + 16, "std140 layout changed: fix both readers");
 }  // namespace timeshade::shared
 #endif
