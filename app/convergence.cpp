@@ -93,10 +93,12 @@ std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options,
     writePng(folder / (stem + ".png"), drawChart(convergenceChart(stem, curves, frames), 960, 640));
     writePng(folder / (stem + "-strip.png"), detailStrip(strip, square, stripZoom));
     return fmt::format(
-        "\n## {0}, frame {1:g}\n\n{2}\n![convergence]({0}.png)\n\nA detail, left to right after {3} frames; from top "
+        "\n## {0}, frame {1:g}{5}\n\n{2}\n![convergence]({0}.png)\n\nA detail, left to right after {3} frames; from "
+        "top "
         "to "
         "bottom {4}:\n\n![strip]({0}-strip.png)\n",
-        stem, plan.request.frame, convergenceTable(curves, frames), fmt::join(shown, ", "), fmt::join(variants, ", "));
+        stem, plan.request.frame, convergenceTable(curves, frames), fmt::join(shown, ", "), fmt::join(variants, ", "),
+        responseInTitle(plan.request.shutter));
 }
 
 }  // namespace

@@ -27,27 +27,17 @@ std::vector<std::string> optionOf(const std::string& key, const std::string& val
 
 /// Says what to draw and how to measure it. Not what names an output, a device or a folder, nor what asks for help: a
 /// file that comes with a scene may be anybody's, and looking at a picture must not overwrite anything.
-constexpr std::array allowedKeys{"scene",       "size",
-                                 "spp",         "map",
-                                 "seed",        "frame",
-                                 "time",        "fps",
-                                 "clip",        "shutter",
-                                 "instant",     "camera",
-                                 "pose",        "shutter-position",
-                                 "technique",   "view",
-                                 "compare",     "compare-mode",
-                                 "seam",        "force-dynamic",
-                                 "no-plan",     "no-cache",
-                                 "no-keep",     "frames",
-                                 "codec",       "quality",
-                                 "techniques",  "maps",
-                                 "spps",        "rounds",
-                                 "sequence",    "reference",
-                                 "vary",        "reference-rays",
-                                 "convergence", "effects",
-                                 "explain",     "gl-debug",
-                                 "max-ppm",     "history-frames",
-                                 "set"};
+constexpr std::array allowedKeys{"scene",       "size",           "spp",     "map",
+                                 "seed",        "frame",          "time",    "fps",
+                                 "clip",        "shutter",        "instant", "shutter-response",
+                                 "camera",      "shutter-width",  "pose",    "shutter-position",
+                                 "technique",   "view",           "compare", "compare-mode",
+                                 "seam",        "force-dynamic",  "no-plan", "no-cache",
+                                 "no-keep",     "frames",         "codec",   "quality",
+                                 "techniques",  "maps",           "spps",    "rounds",
+                                 "sequence",    "reference",      "vary",    "reference-rays",
+                                 "convergence", "effects",        "explain", "gl-debug",
+                                 "max-ppm",     "history-frames", "set"};
 
 void requireAllowed(const std::string& key, const std::string& place) {
     if (std::find(allowedKeys.begin(), allowedKeys.end(), key) == allowedKeys.end())

@@ -65,6 +65,7 @@ void Session::keepPicture() {
     options.seed = request.seed;
     options.instant = moment.instant;
     options.shutterPosition = request.shutter.position;
+    setResponse(options, request.shutter);
 }
 
 void Session::openClip(const std::string& name) {
