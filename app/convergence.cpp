@@ -117,11 +117,12 @@ std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options,
     writeChart(stem + "-own", ConvergenceTarget::Own);
     writePng(folder / (stem + "-strip.png"), detailStrip(strip, square, stripZoom));
     return fmt::format(
-        "\n## {0}, frame {1:g}\n\n{2}\n![convergence]({0}.png)\n\nAgainst their own pictures after {5} frames:\n\n"
+        "\n## {0}, frame {1:g}{7}\n\n{2}\n![convergence]({0}.png)\n\nAgainst their own pictures after {5} frames:\n\n"
         "{6}\n![convergence]({0}-own.png)\n\nA detail, left to right after {3} frames; from top to bottom {4}:\n\n"
         "![strip]({0}-strip.png)\n",
         stem, request.frame, convergenceTable(curves, frames, ConvergenceTarget::RayTraced), fmt::join(shown, ", "),
-        fmt::join(variants, ", "), convergedFrames, convergenceTable(curves, frames, ConvergenceTarget::Own));
+        fmt::join(variants, ", "), convergedFrames, convergenceTable(curves, frames, ConvergenceTarget::Own),
+        responseInTitle(request.shutter));
 }
 
 }  // namespace

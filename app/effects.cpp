@@ -54,8 +54,8 @@ int runEffects(const MeasureOptions& options) {
             progress->update(done);
         };
         const std::vector<EffectRow> rows = measureEffects(*scene, request, effects);
-        report += fmt::format("## {}, frame {:g}, shutter {:g}\n\n{}\n", name, request.frame, request.shutter.length,
-                              effectsTable(rows));
+        report += fmt::format("## {}, frame {:g}, shutter {:g}{}\n\n{}\n", name, request.frame, request.shutter.length,
+                              responseInTitle(request.shutter), effectsTable(rows));
         for (const EffectRow& row : rows) json[name].push_back(toJson(row));
     }
     opengl.requireSilence();

@@ -22,6 +22,12 @@ FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
     request.shutter.framesPerSecond = options.framesPerSecond.value_or(scene.defaults().framesPerSecond);
     request.shutter.length = options.shutterLength.value_or(scene.defaults().shutterLength);
     request.shutter.position = options.shutterPosition;
+    request.shutter.response = options.shutterResponse;
+    if (options.shutterWidth && options.shutterResponse != ShutterResponse::Gaussian)
+        throw UsageError(
+            fmt::format("--shutter-width {}: no other response has a width; expected with --shutter-response gaussian",
+                        *options.shutterWidth));
+    request.shutter.width = options.shutterWidth.value_or(request.shutter.width);
     request.frame = options.seconds ? *options.seconds * request.shutter.framesPerSecond
                                     : options.frame.value_or(scene.defaults().frame);
     request.cameraPose = options.pose;
@@ -43,6 +49,12 @@ FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
 FrameRequest requestFor(const FrameOptions& options, const Scene& scene) {
     const FrameRequest request = requestOfShutter(options, scene);
     return options.instant ? atInstant(request, *options.instant) : request;
+}
+
+void setResponse(FrameOptions& options, const Shutter& shutter) {
+    const bool hasWidth = shutter.response == ShutterResponse::Gaussian && shutter.width != Shutter{}.width;
+    options.shutterResponse = shutter.response;
+    options.shutterWidth = hasWidth ? std::optional(shutter.width) : std::nullopt;
 }
 
 FrameRequest atInstant(const FrameRequest& request, double u) {

@@ -11,8 +11,11 @@
 namespace timeshade {
 
 /// What the options ask for, with the scene's own defaults where they are silent. Throws UsageError for a camera that
-/// the scene does not have.
+/// the scene does not have, and for the width of a response that has none.
 FrameRequest requestFor(const FrameOptions& options, const Scene& scene);
+
+/// Makes the options ask for this shutter's response; for its width only where that is not the usual one.
+void setResponse(FrameOptions& options, const Shutter& shutter);
 
 /// The request of one instant of this one's shutter, u in [0, 1]: as long as an instant, so that nothing is blurred.
 FrameRequest atInstant(const FrameRequest& request, double u);

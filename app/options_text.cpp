@@ -15,6 +15,7 @@ namespace timeshade {
 namespace {
 
 constexpr std::array<const char*, 3> positions{"start", "centre", "end"};
+constexpr std::array<const char*, 3> responses{"box", "tent", "gaussian"};
 constexpr std::array<const char*, 3> compareModes{"wipe", "side", "difference"};
 
 std::string viewOf(const PictureOptions& options) {
@@ -114,6 +115,9 @@ std::vector<PictureWord> pictureWords(const PictureOptions& options) {
     if (options.shutterLength) add("shutter", fmt::format("{}", *options.shutterLength));
     if (options.shutterPosition != defaults.shutterPosition)
         add("shutter-position", positions[static_cast<std::size_t>(options.shutterPosition)]);
+    if (options.shutterResponse != defaults.shutterResponse)
+        add("shutter-response", responses[static_cast<std::size_t>(options.shutterResponse)]);
+    if (options.shutterWidth) add("shutter-width", fmt::format("{}", *options.shutterWidth));
     if (options.instant) add("instant", fmt::format("{}", *options.instant));
     if (!options.camera.empty()) add("camera", options.camera);
     if (options.pose) add("pose", textOf(*options.pose));
@@ -141,8 +145,9 @@ std::string settingsJson(const PictureOptions& options, const std::string& windo
     json["scene"] = options.scene;
     for (const auto& [key, value] : pictureWords(options)) {
         const bool plain = key == "spp" || (key == "map" && options.mapSize.isSquare()) || key == "seed" ||
-                           key == "frame" || key == "time" || key == "fps" || key == "shutter" || key == "seam" ||
-                           key == "instant" || key == "force-dynamic" || key == "no-cache" || key == "pixel-centres";
+                           key == "frame" || key == "time" || key == "fps" || key == "shutter" ||
+                           key == "shutter-width" || key == "seam" || key == "instant" || key == "force-dynamic" ||
+                           key == "no-cache" || key == "pixel-centres";
         json[key] = plain ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);

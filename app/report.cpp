@@ -7,6 +7,7 @@
 
 #include "frame/warm_up.h"
 #include "measure/map_size_json.h"
+#include "shared/shutter_response.shared.h"
 
 namespace timeshade {
 
@@ -18,6 +19,24 @@ std::string inMebibytes(std::size_t bytes) {
     return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1024.0 * 1024.0));
 }
 
+namespace {
+
+/// How instants count, and whether that makes a difference.
+std::string responseWords(const FramePlan& plan, const Technique& technique) {
+    const Shutter& shutter = plan.request.shutter;
+    std::string words = shutter.response == ShutterResponse::Tent
+                            ? "tent: instants count in proportion to their distance from the shutter's nearer end"
+                            : fmt::format(
+                                  "Gaussian about the shutter's middle, cut at its ends: a standard deviation "
+                                  "of {:.4g} of the shutter",
+                                  shutter.width);
+    if (plan.block.response == SHUTTER_BOX) return words + "; without effect, as nothing moves";
+    const bool single = plan.block.strata == 1 && technique.renders() == 1;
+    return words + (single ? "; without effect on one sample a pixel, which is its own mean" : "");
+}
+
+}  // namespace
+
 std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device) {
     std::vector<PlanLine> lines{
         {"device", deviceLine(device)},
@@ -25,6 +44,8 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
         {"shutter", fmt::format("frame {:g}, open {:g} frames at {:g} frames per second", plan.request.frame,
                                 plan.request.shutter.length, plan.request.shutter.framesPerSecond)},
     };
+    if (plan.request.shutter.response != ShutterResponse::Box)
+        lines.push_back({"response", responseWords(plan, technique)});
     const MotionSummary& motion = plan.motion;
     lines.push_back({"motion", fmt::format("{} of {} meshes move in the light's frame, {} of them turn or deform; "
                                            "known from the frame before: {} of {} triangles",
@@ -49,6 +70,15 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
     for (const std::string& warning : plan.warnings) lines.push_back({"warning", warning});
     for (const std::string& warning : technique.warnings(plan)) lines.push_back({"warning", warning});
     return lines;
+}
+
+std::string responseInTitle(const Shutter& shutter) {
+    switch (shutter.response) {
+    case ShutterResponse::Box: break;
+    case ShutterResponse::Tent: return ", response tent";
+    case ShutterResponse::Gaussian: return fmt::format(", response gaussian of {:.4g}", shutter.width);
+    }
+    return "";
 }
 
 std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device) {
@@ -110,6 +140,11 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
         json["warm_up"] = {{"frames_before", technique.warmUpFrames()}, {"times_held", technique.heldFrames()}};
     json["fps"] = request.shutter.framesPerSecond;
     json["shutter"] = request.shutter.length;
+    if (request.shutter.response == ShutterResponse::Tent) json["shutter_response"] = "tent";
+    if (request.shutter.response == ShutterResponse::Gaussian) {
+        json["shutter_response"] = "gaussian";
+        json["shutter_width"] = request.shutter.width;
+    }
     json["gl"] = {{"back_end", backEnd},
                   {"vendor", renderer.device().vendor},
                   {"renderer", renderer.device().renderer},

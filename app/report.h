@@ -16,6 +16,9 @@ struct PlanLine {
 };
 std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device);
 
+/// ", response tent" for a heading that has named the shutter; empty for a box, which is usual.
+std::string responseInTitle(const Shutter& shutter);
+
 /// The plan in words: what moves, which passes run, why, and warnings.
 std::string explain(const FramePlan& plan, const Technique& technique, const gl::DeviceInfo& device);
 

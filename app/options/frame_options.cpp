@@ -62,6 +62,16 @@ void declareShutter(CLI::App& app, FrameOptions& options) {
         ->transform(oneOf<ShutterPosition>(
             {{"start", ShutterPosition::Start}, {"centre", ShutterPosition::Centre}, {"end", ShutterPosition::End}}))
         ->multi_option_policy(lastWins);
+    app.add_option("--shutter-response", options.shutterResponse,
+                   "box, tent, gaussian: how much each instant of the shutter counts in the picture")
+        ->transform(oneOf<ShutterResponse>(
+            {{"box", ShutterResponse::Box}, {"tent", ShutterResponse::Tent}, {"gaussian", ShutterResponse::Gaussian}}))
+        ->multi_option_policy(lastWins);
+    app.add_option("--shutter-width", options.shutterWidth,
+                   "of the Gaussian, which is cut at the shutter's ends: its standard deviation as a share of the "
+                   "shutter (default: a sixth)")
+        ->check(numberFrom(Shutter::leastWidth, Shutter::mostWidth))
+        ->multi_option_policy(lastWins);
     app.add_option("--instant", options.instant,
                    "one instant of the shutter instead of all of it: 0 where it opens, 1 where it closes")
         ->check(numberFrom(0.0, 1.0))

@@ -25,6 +25,8 @@ struct FrameOptions {
     std::optional<double> shutterLength;    ///< frames; the scene's own where not given
     std::optional<double> instant;          ///< one instant of the shutter, u in [0, 1], instead of all of it
     ShutterPosition shutterPosition = ShutterPosition::Start;
+    ShutterResponse shutterResponse = ShutterResponse::Box;
+    std::optional<double> shutterWidth;          ///< of the Gaussian alone; Shutter's own where not given
     std::string camera;                          ///< name of one of the scene's cameras; empty for the first
     std::optional<CameraPose> pose;              ///< instead: a static camera of one's own
     bool pixelCentres = false;                   ///< camera samples at pixel centres

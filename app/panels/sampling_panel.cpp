@@ -39,6 +39,23 @@ void drawShutter(Session& session, Widgets& widgets) {
         "Where the frame's instant lies in the time that the shutter is open.", {"start", "centre", "end"});
     if (position) shutter.position = static_cast<ShutterPosition>(*position);
 
+    const auto response = widgets.combo(
+        "shutter.response", "Shutter response", {"Box", "Tent", "Gaussian"}, static_cast<std::size_t>(shutter.response),
+        "How much each instant of the shutter counts: all alike; or less towards its ends, where streaks then fade.",
+        {"box", "tent", "gaussian"});
+    if (response) shutter.response = static_cast<ShutterResponse>(*response);
+    if (shutter.response == ShutterResponse::Gaussian) {
+        Widgets::Number width;
+        width.minimum = Shutter::leastWidth;
+        width.maximum = 1.0;
+        width.most = Shutter::mostWidth;
+        width.format = "%.3f of the shutter";
+        width.defaultValue = Shutter{}.width;
+        width.help =
+            "Standard deviation of the Gaussian, which is cut at the shutter's ends. Ctrl-click to type up to 2.";
+        changed = widgets.slider("shutter.width", "Gaussian width", shutter.width, width) || changed;
+    }
+
     Widgets::Number rate;
     rate.minimum = 1.0;
     rate.maximum = 120.0;
@@ -49,7 +66,7 @@ void drawShutter(Session& session, Widgets& widgets) {
     rate.defaultValue = defaults.framesPerSecond;
     rate.help = "Frames per second. Fewer make each frame, and so the blur, longer.";
     changed = widgets.slider("fps", "Frame rate", shutter.framesPerSecond, rate) || changed;
-    if (changed || position) session.moment.setShutter(shutter, session.scene.current().duration());
+    if (changed || position || response) session.moment.setShutter(shutter, session.scene.current().duration());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "gl/errors.h"
 #include "measure/metrics.h"
 #include "report.h"
+#include "shared/shutter_response.shared.h"
 #include "techniques/registry.h"
 #include "window/frame_times.h"
 #include "window/moment_key.h"
@@ -135,7 +136,8 @@ void AccuracyProbe::compareRender() {
     const auto pixels = static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height);
     for (std::size_t i = 0; i < lit.size(); ++i) {
         if (!truth[i].hit || !truth[i].tested) continue;
-        means_->add(i % pixels, static_cast<double>(lit[i]));
+        const float weight = shared::shutterWeight(drawn.block.response, drawn.block.responseWidth, truth[i].time);
+        means_->add(i % pixels, static_cast<double>(lit[i]), static_cast<double>(weight));
         ++tested_;
         wrong_ += (lit[i] >= 0.5f) != truth[i].lit ? 1u : 0u;
     }

@@ -8,6 +8,7 @@
 #include "frame_setup.h"
 #include "gl/errors.h"
 #include "measure/footprint_error.h"
+#include "shared/shutter_response.shared.h"
 #include "techniques/registry.h"
 #include "window/display_texture.h"
 #include "window/session.h"
@@ -33,14 +34,13 @@ DisplayImage squareAround(const DisplayImage& picture, int x0, int y0, int side)
 }  // namespace
 
 double PixelProbe::Row::mean(float ProbeValue::*what) const {
-    double sum = 0.0;
-    int count = 0;
+    double sum = 0.0, weights = 0.0;
     for (const ProbeValue& value : values) {
         if (value.lit < 0.0f || value.*what < 0.0f) continue;
-        sum += static_cast<double>(value.*what);
-        ++count;
+        sum += static_cast<double>(value.weight) * static_cast<double>(value.*what);
+        weights += static_cast<double>(value.weight);
     }
-    return count == 0 ? 0.0 : sum / count;
+    return weights > 0.0 ? sum / weights : 0.0;
 }
 
 void PixelProbe::pick(int x, int y) {
@@ -148,6 +148,8 @@ void PixelProbe::addRow(const FramePlan& plan, const FrameRenderer& renderer, co
     Row row{technique.description().name, technique.description().shortTitle, {}};
     for (std::size_t k = 0; k < samples_.size(); ++k) {
         row.values.emplace_back();
+        row.values.back().weight =
+            shared::shutterWeight(plan.block.response, plan.block.responseWidth, samples_[k].answer.time);
         // Where the oracle tests nothing, no technique has a value.
         if (samples_[k].answer.hit && samples_[k].answer.tested) row.values.back().lit = lit[k];
     }

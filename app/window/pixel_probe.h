@@ -26,7 +26,7 @@ class PixelProbe {
     struct Row {
         std::string name, title;  ///< "tsm", "TSM"
         std::vector<ProbeValue> values;
-        /// Mean of the values, or of the truths. 0 where there are none.
+        /// Mean of the values, or of the truths, weighted as in the picture. 0 where there are none.
         double mean(float ProbeValue::*what) const;
     };
 

@@ -8,6 +8,7 @@ namespace timeshade {
 struct ProbeValue {
     float from = 0.0f, to = 0.0f;      ///< the footprint's interval of the shutter, in u; equal for an instant
     float lit = -1.0f, truth = -1.0f;  ///< 0 to 1; negative where there is none
+    float weight = 1.0f;               ///< of the sample in its pixel: the shutter's response at its time
 };
 
 /// A rectangle of a strip, in shares of the strip's width and height from its upper left corner, and its grey, 0 to 1.

@@ -66,6 +66,7 @@ void Session::keepPicture() {
     options.pixelCentres = request.pixelCentres;
     options.instant = moment.instant;
     options.shutterPosition = request.shutter.position;
+    setResponse(options, request.shutter);
 }
 
 void Session::openClip(const std::string& name) {

@@ -88,6 +88,7 @@ PictureOptions pictureOptions(Session& session) {
     options.shutterLength = request.shutter.length;
     options.instant = session.moment.instant;
     options.shutterPosition = request.shutter.position;
+    setResponse(options, request.shutter);
     options.camera = request.cameraIndex == 0 ? "" : session.scene.current().cameras()[request.cameraIndex].name;
     options.pose.reset();
     if (session.camera.orbit) options.pose = session.camera.orbit->pose();

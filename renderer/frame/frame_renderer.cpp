@@ -10,6 +10,7 @@
 #include "core/hash.h"
 #include "frame/buffer_check.h"
 #include "gl/errors.h"
+#include "shared/shutter_response.shared.h"
 #include "technique/technique_views.h"
 
 namespace timeshade {
@@ -92,6 +93,7 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
     view_ = view;
     renders_ = technique.renders();
     done_ = 0;
+    weightDone_ = 0.0;
     settings_.set(technique);
     resize(plan_->request.width, plan_->request.height, renders_ > 1 ? 1 : plan_->request.samplesPerPixel);
     forgetPast(technique);  // after what may have invalidated everything
@@ -133,6 +135,7 @@ bool FrameRenderer::step() {
     }
     gl::requireNoErrors(fmt::format("a frame of {}", technique_->description().name));
     ++done_;
+    weightDone_ += static_cast<double>(render.block.weight);
     if (checked_) checkBuffers();
     if (complete()) endFrame();
     return complete();
@@ -191,13 +194,20 @@ void FrameRenderer::checkBuffers() const {
                       std::numeric_limits<float>::max());
 }
 
+/// What makes a picture out of the renders so far.
+float FrameRenderer::scaleToWhole() const {
+    if (done_ == 0) return 0.0f;
+    if (complete() || plan_->block.response == SHUTTER_BOX)
+        return static_cast<float>(renders_) / static_cast<float>(done_);
+    return static_cast<float>(1.0 / weightDone_);
+}
+
 const gl::Texture& FrameRenderer::displayTexture() {
     if (techniqueView_) {
         heatMapPass_.draw(fullscreen_, *values_,
                           {techniqueView_->low, techniqueView_->high, techniqueView_->logarithmic}, *picture_);
     } else {
-        const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
-        displayPass_.draw(fullscreen_, *radiance_, scale, view_ == View::Final, *picture_);
+        displayPass_.draw(fullscreen_, *radiance_, scaleToWhole(), view_ == View::Final, *picture_);
     }
     gl::injectErrorForTest("display");
     gl::requireNoErrors(fmt::format("the picture of {}", technique_->description().name));
@@ -220,8 +230,7 @@ LinearImage FrameRenderer::readRadiance() {
         return image;
     }
     const std::vector<float> rgba = readArray<float>(*radiance_, GL_RGBA, GL_FLOAT);
-    const float scale = done_ > 0 ? static_cast<float>(renders_) / static_cast<float>(done_) : 0.0f;
-    copyRowsUpsideDown<float, float>(rgba, image.width, image.height, image.rgb, scale);
+    copyRowsUpsideDown<float, float>(rgba, image.width, image.height, image.rgb, scaleToWhole());
     return image;
 }
 

@@ -82,6 +82,7 @@ class FrameRenderer {
     void forgetPast(Technique& technique);
     void drawLookup(const TechniqueFrame& frame);
     void endFrame();
+    float scaleToWhole() const;
 
     gl::DeviceInfo device_;
     gl::PassTimer timer_;
@@ -108,6 +109,7 @@ class FrameRenderer {
     View view_ = View::Final;
     std::optional<TechniqueView> techniqueView_;
     int renders_ = 0, done_ = 0;
+    double weightDone_ = 0.0;          ///< share of the renders so far in the whole picture
     std::uint64_t invalidatedAt_ = 0;  ///< how much had been invalidated, by any renderer, after this one's last time
     bool checked_ = false;
 };

@@ -44,14 +44,23 @@ std::string textOf(const std::optional<CameraPose>& pose) {
     return text;
 }
 
-/// Taken apart as a whole, so that a field that is added later cannot be left out.
+// Taken apart as wholes, so that a field that is added later cannot be left out.
+
+std::string textOf(const Shutter& shutter) {
+    const auto& [framesPerSecond, length, position, response, width] = shutter;
+    std::string text = fmt::format("{} of {} at {}", length, framesPerSecond, static_cast<int>(position));
+    if (response == ShutterResponse::Tent) text += " tent";
+    if (response == ShutterResponse::Gaussian) text += fmt::format(" gaussian {}", width);
+    return text;
+}
+
 std::string textOf(const FrameRequest& request) {
     const auto& [width, height, samples, map, seed, frame, shutter, camera, forceDynamic, caches, centres, pose] =
         request;
-    return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {} of {} at {}, camera {}, {}{}{}pose {}",
-                       width, height, samples, map.text(), seed, frame, shutter.length, shutter.framesPerSecond,
-                       static_cast<int>(shutter.position), camera, forceDynamic ? "force dynamic, " : "",
-                       caches ? "" : "no cache, ", centres ? "pixel centres, " : "", textOf(pose));
+    return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {}, camera {}, {}{}{}pose {}", width,
+                       height, samples, map.text(), seed, frame, textOf(shutter), camera,
+                       forceDynamic ? "force dynamic, " : "", caches ? "" : "no cache, ",
+                       centres ? "pixel centres, " : "", textOf(pose));
 }
 
 }  // namespace

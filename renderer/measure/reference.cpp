@@ -9,6 +9,8 @@
 #include "gl/shader_source.h"
 #include "measure/reference_digest.h"
 #include "measure/reference_technique.h"
+#include "shared/sample_pattern.shared.h"
+#include "shared/shutter_response.shared.h"
 
 namespace timeshade {
 
@@ -58,6 +60,21 @@ FramePlan batchPlan(const FramePlan& plan, int batch) {
     return drawn;
 }
 
+/// Sum of the weights of each pixel's samples, in a picture's order: rows downwards.
+std::vector<double> pixelWeights(const shared::FrameBlock& block) {
+    std::vector<double> sums(std::size_t{block.imageSize.x} * block.imageSize.y);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const auto x = static_cast<std::uint32_t>(i % block.imageSize.x),
+                   y = block.imageSize.y - 1 - static_cast<std::uint32_t>(i / block.imageSize.x);
+        for (std::uint32_t k = 0; k < block.strata; ++k) {
+            const float xi = shared::samplePattern({x, y}, k, block.seed, SALT_CAMERA).z;
+            const float u = shared::sampleTime(block.timeBase, block.timeScale, k, xi);
+            sums[i] += static_cast<double>(shared::shutterWeight(block.response, block.responseWidth, u));
+        }
+    }
+    return sums;
+}
+
 }  // namespace
 
 std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options) {
@@ -94,17 +111,29 @@ bool ReferenceBuilder::step(FrameRenderer& renderer) {
     }
     if (!truth_) truth_ = std::make_unique<ReferenceTechnique>();
     renderer.draw(batchPlan(plan_, done_), *truth_, view_);
-    const LinearImage batch = renderer.readRadiance();
+    add(renderer.plan(), renderer.readRadiance());
     renderer.timer().finishFrame();  // a reference's times are nobody's measurement
-    sum_.resize(batch.rgb.size());
-    for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += static_cast<double>(batch.rgb[i]);
     if (++done_ == batches_) finish();
     return complete();
 }
 
+void ReferenceBuilder::add(const FramePlan& drawn, const LinearImage& batch) {
+    sum_.resize(batch.rgb.size());
+    if (drawn.block.response == SHUTTER_BOX) {
+        for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += static_cast<double>(batch.rgb[i]);
+        return;
+    }
+    // One quotient over the samples of all batches: the mean of their quotients would keep the bias of each.
+    const std::vector<double> weights = pixelWeights(drawn.block);
+    weights_.resize(weights.size());
+    for (std::size_t i = 0; i < weights.size(); ++i) weights_[i] += weights[i];
+    for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += weights[i / 3] * static_cast<double>(batch.rgb[i]);
+}
+
 void ReferenceBuilder::finish() {
     image_ = {plan_.request.width, plan_.request.height, {}};
-    for (const double value : sum_) image_.rgb.push_back(static_cast<float>(value / batches_));
+    for (std::size_t i = 0; i < sum_.size(); ++i)
+        image_.rgb.push_back(static_cast<float>(sum_[i] / (weights_.empty() ? batches_ : weights_[i / 3])));
     cache_.store(key_, image_);
     truth_.reset();  // and with it all that the ray tracer holds
 }

@@ -10,7 +10,8 @@
 
 namespace timeshade {
 
-/// A converged picture of a frame: many stratified camera samples per pixel, each with the oracle's truth.
+/// A converged picture of a frame: many stratified camera samples per pixel, each with the oracle's truth, weighted by
+/// the shutter's response.
 struct ReferenceOptions {
     int samplesPerPixel = 256;               ///< rounded up to whole batches of maximumSamplesPerPixel
     View view = View::Final;                 ///< Visibility: the lit share alone
@@ -38,6 +39,7 @@ class ReferenceBuilder {
     const LinearImage& image() const { return image_; }
 
   private:
+    void add(const FramePlan& drawn, const LinearImage& batch);
     void finish();
 
     FramePlan plan_;
@@ -47,7 +49,8 @@ class ReferenceBuilder {
     std::string key_;
     int batches_, done_ = 0;
     bool soughtInCache_ = false;
-    std::vector<double> sum_;
+    std::vector<double> sum_;      ///< of each value over the batches, times its pixel's weights
+    std::vector<double> weights_;  ///< of each pixel's samples together; empty where all count alike
     LinearImage image_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "measure/reference_digest.h"
 #include "oracle/embree_scene.h"
+#include "shared/shutter_response.shared.h"
 
 namespace timeshade {
 
@@ -45,6 +46,11 @@ std::string referenceVisibilityKey(const FramePlan& plan, int rays) {
     digestLight(plan.lightOpen, digest);
     digestLight(plan.lightClose, digest);
     digest.value(plan.light.block.farDistance);
+    // Nothing is said of a box, so that its key is the one that it has always had.
+    if (plan.block.response != SHUTTER_BOX) {
+        digest.value(plan.block.response);
+        digest.value(plan.block.responseWidth);
+    }
     return fmt::format("converged visibility 2; frame {}; {} x {}; {} rays", digest.text(), plan.request.width,
                        plan.request.height, wholePackets(rays));
 }

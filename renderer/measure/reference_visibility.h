@@ -10,8 +10,9 @@
 
 namespace timeshade {
 
-/// The converged visibility of every pixel of a frame: the oracle's mean over the whole shutter and the pixel's area,
-/// in two independent halves of rays / 2 camera rays a pixel. What shadow errors are measured against.
+/// The converged visibility of every pixel of a frame: the oracle's mean over the whole shutter, weighted by its
+/// response, and the pixel's area, in two independent halves of rays / 2 camera rays a pixel. What shadow errors are
+/// measured against.
 struct ReferenceVisibility {
     int width = 0, height = 0;
     int rays = 0;                      ///< camera rays a pixel, both halves together

@@ -8,8 +8,9 @@
 
 namespace timeshade {
 
-/// Shadow error of one frame: the mean of `lit` over each pixel's samples that face the light inside its cone, against
-/// the pixel's converged visibility. Sampling noise is part of it. Pixels are chosen by the reference, all weigh alike;
+/// Shadow error of one frame: the mean of `lit` over each pixel's samples that face the light inside its cone, each
+/// with the weight that the shutter's response gives it in the picture, against the pixel's converged visibility.
+/// Sampling noise is part of it. Pixels are chosen by the reference, all weigh alike;
 /// left out are those in which no sample was tested (no value), and samples of pixels that the reference does
 /// not have (no truth). Which those are depends on the camera samples alone, not on the technique.
 struct ShadowError {
@@ -23,7 +24,7 @@ struct ShadowError {
 class PixelMeans {
   public:
     explicit PixelMeans(std::size_t pixels) : sums_(pixels, 0.0), weights_(pixels, 0.0) {}
-    /// `weight`: the share of the shutter that the value stands for; any constant for samples of equal weight.
+    /// `weight`: of the shutter's response at the sample's time; any constant for samples of equal weight.
     void add(std::size_t pixel, double lit, double weight = 1.0) {
         sums_[pixel] += weight * lit;
         weights_[pixel] += weight;

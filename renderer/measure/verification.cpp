@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "shared/hash.shared.h"
+#include "shared/shutter_response.shared.h"
 
 namespace timeshade {
 
@@ -32,7 +33,7 @@ class RenderComparison {
             if (truth.tested) {
                 count(truth, lit[i]);
                 footprintError_.add(index, triangles[i], truth, lit[i]);
-                pixels_.add(i % pixelCount(plan_), static_cast<double>(lit[i]));
+                pixels_.add(i % pixelCount(plan_), static_cast<double>(lit[i]), weightOf(truth));
             }
             if (options_.visit) {
                 const SampleIndex shown{index.x, index.y, index.stratum + static_cast<std::uint32_t>(stratumShown)};
@@ -53,6 +54,10 @@ class RenderComparison {
     }
 
   private:
+    double weightOf(const OracleAnswer& truth) const {
+        return static_cast<double>(shared::shutterWeight(plan_.block.response, plan_.block.responseWidth, truth.time));
+    }
+
     SampleIndex indexOf(std::size_t i) const {
         const auto width = static_cast<std::size_t>(plan_.request.width),
                    height = static_cast<std::size_t>(plan_.request.height);

@@ -70,14 +70,14 @@ class Oracle {
     /// The converged visibility of each pixel of the rows firstRow .. firstRow + rows - 1: its mean over the whole
     /// shutter and the pixel's area, over whatever is seen there, [row][column]. `rays` camera rays a pixel, one in
     /// each stratum of the shutter, their places in the pixel spread by the shared sample pattern; each that meets a
-    /// surface which faces the light inside its cone adds one shadow ray. Means of two seeds are independent. All
-    /// cores, the same numbers every time.
+    /// surface which faces the light inside its cone adds one shadow ray, which counts by the shutter's response at its
+    /// time (plan.block.response). Means of two seeds are independent. All cores, the same numbers every time.
     std::vector<VisibilityMean> pixelMeans(const FramePlan& plan, std::uint32_t firstRow, std::uint32_t rows,
                                            std::uint32_t rays, std::uint32_t seed) const;
 
     /// The mean over each of the footprints, in their order, of `rays` rays that are spread likewise over its time and,
-    /// where it has one, its area. No mean where the sample sees nothing. `plan` gives the samples: the one of
-    /// construction, or one made from it by planAtInstant.
+    /// where it has one, its area, and weighted likewise. No mean where the sample sees nothing. `plan` gives the
+    /// samples: the one of construction, or one made from it by planAtInstant.
     std::vector<VisibilityMean> footprintMeans(const FramePlan& plan, std::span<const SampleFootprint> footprints,
                                                std::uint32_t rays, std::uint32_t seed) const;
 

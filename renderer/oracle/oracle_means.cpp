@@ -7,6 +7,7 @@
 #include "oracle/implementation.h"
 #include "oracle/parallel_rows.h"
 #include "shared/sample_pattern.shared.h"
+#include "shared/shutter_response.shared.h"
 
 namespace timeshade {
 
@@ -21,11 +22,12 @@ void forEachLanes(std::uint32_t rays, const Work& work) {
         work(first, static_cast<int>(std::min<std::uint32_t>(RayPacket::size, rays - first)));
 }
 
-void count(const Receiver* receivers, int lanes, VisibilityMean& mean) {
+void count(const FramePlan& plan, const Receiver* receivers, int lanes, VisibilityMean& mean) {
     for (int lane = 0; lane < lanes; ++lane) {
         const OracleAnswer& answer = receivers[lane].answer;
-        mean.tested += answer.tested ? 1u : 0u;
-        mean.lit += answer.tested && answer.lit ? 1u : 0u;
+        if (!answer.tested) continue;
+        const float weight = shared::shutterWeight(plan.block.response, plan.block.responseWidth, answer.time);
+        mean.add(answer.lit, static_cast<double>(weight));
     }
 }
 
@@ -68,7 +70,7 @@ VisibilityMean meanOfPixel(const Oracle::Implementation& oracle, const FramePlan
             receivers[lane] = receiverOf(plan, oracle.triangles, cameraRays[lane], ids[lane]);
         }
         oracle.testLanes(receivers, ids, lanes, Oracle::Implementation::Edges::AsEmbreeSays);
-        count(receivers, lanes, mean);
+        count(plan, receivers, lanes, mean);
     });
     return mean;
 }
@@ -88,7 +90,7 @@ VisibilityMean meanOfPoint(const Oracle::Implementation& oracle, const FramePlan
             receivers[lane] = receiverOnTriangle(plan, oracle.triangles, over.triangle, barycentrics,
                                                  pattern.time(first + static_cast<std::uint32_t>(lane)));
         oracle.testLanes(receivers, ids, lanes, Oracle::Implementation::Edges::AsEmbreeSays);
-        count(receivers, lanes, mean);
+        count(plan, receivers, lanes, mean);
     });
     return mean;
 }

@@ -1,5 +1,7 @@
 #include "passes/shade_pass.h"
 
+#include "shared/shutter_response.shared.h"
+
 namespace timeshade {
 
 void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
@@ -7,6 +9,8 @@ void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const 
     gl::ShaderDefines defines;
     if (plan.camera.turns) defines.emplace_back("CAMERA_TURNS", "1");
     if (view == View::Visibility) defines.emplace_back("VIEW_VISIBILITY", "1");
+    // A single sample is its own mean.
+    if (plan.block.response != SHUTTER_BOX && plan.block.strata > 1) defines.emplace_back("SHUTTER_WEIGHTS", "1");
     const gl::Program& program = programs_.get({"shade", "passes/fullscreen.vert", "passes/shade.frag", defines});
     samples.ids().bind(SAMPLE_IDS_UNIT);
     visibility.lit().bind(VISIBILITY_UNIT);

@@ -12,10 +12,15 @@ namespace timeshade {
 /// What the picture shows.
 enum class View {
     Final,       ///< shaded, tone mapped
-    Visibility,  ///< mean of lit over a pixel's camera samples, as it is
+    Visibility,  ///< mean of lit over a pixel's camera samples, as it is; weighted like light
 };
 
-/// Mean over a pixel's samples of shading times lit, times the plan's weight: linear radiance, exposed.
+/// Mean over a pixel's samples of shading times lit, times the plan's weight: linear radiance, exposed. Each sample
+/// counts by the shutter's response w at its time (Palmér's equation 2.1, by samples): sum w c / sum w over the pixel's
+/// own samples. So what does not change keeps its colour; divided by the mean of w it would not, as the sum of a
+/// pixel's weights varies. The price is the bias of a quotient, which stratified times let fall fast: a point that is
+/// dark in [.3, .7] of a tent is .36 lit, and by 2, 4, 8 and 16 samples .483, .369, .3617, .3601 in the mean. One
+/// sample is its own mean, so that it knows nothing of a response.
 class ShadePass {
   public:
     explicit ShadePass(gl::ProgramCache& programs) : programs_(programs), target_("shade target") {}

@@ -9,7 +9,7 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "plan/mesh_texels.h"
-#include "shared/hash.shared.h"
+#include "shared/shutter_response.shared.h"
 
 namespace timeshade {
 
@@ -196,15 +196,30 @@ void countInstances(const FramePlan& plan, MotionSummary& motion) {
     motion.movingInstances = motion.nonTranslatingInstances + count(isMoving);
 }
 
+bool lightMoves(const FramePlan& plan) {
+    return turnDegrees(plan.lightOpen, plan.lightClose) > 0.0 ||
+           (plan.lightOpen.kind == LightKind::Spot && plan.lightOpen.position != plan.lightClose.position);
+}
+
+bool cameraMoves(const FramePlan& plan) { return plan.camera.turns || plan.camera.open.eye != plan.camera.close.eye; }
+
+static_assert(static_cast<std::uint32_t>(ShutterResponse::Box) == SHUTTER_BOX &&
+              static_cast<std::uint32_t>(ShutterResponse::Tent) == SHUTTER_TENT &&
+              static_cast<std::uint32_t>(ShutterResponse::Gaussian) == SHUTTER_GAUSSIAN);
+
+void fillResponse(shared::FrameBlock& block, const Shutter& shutter, bool somethingMoves) {
+    block.response = somethingMoves ? static_cast<std::uint32_t>(shutter.response) : SHUTTER_BOX;
+    block.responseWidth = block.response == SHUTTER_GAUSSIAN ? static_cast<float>(shutter.width) : 0.0f;
+}
+
 MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
     MotionSummary motion = plan.motion;
     countInstances(plan, motion);
     motion.triangles = plan.mesh->topology->triangles.size();
     motion.movingTriangles = movingTriangles;
     motion.lightTurnDegrees = turnDegrees(plan.lightOpen, plan.lightClose);
-    motion.lightMoves = motion.lightTurnDegrees > 0.0 ||
-                        (plan.lightOpen.kind == LightKind::Spot && plan.lightOpen.position != plan.lightClose.position);
-    motion.cameraMoves = plan.camera.turns || plan.camera.open.eye != plan.camera.close.eye;
+    motion.lightMoves = lightMoves(plan);
+    motion.cameraMoves = cameraMoves(plan);
     motion.largestTurnDegrees = plan.mesh->largestTurnDegrees;
     return motion;
 }
@@ -220,6 +235,8 @@ void checkRequest(const FrameRequest& request) {
     CHECK_LE(request.mapSize.longerSide(), maximumMapSide);
     CHECK_GT(request.shutter.framesPerSecond, 0.0);
     CHECK_GE(request.shutter.length, 0.0);
+    CHECK_GE(request.shutter.width, Shutter::leastWidth);
+    CHECK_LE(request.shutter.width, Shutter::mostWidth);
 }
 
 std::string lightWords(const MotionSummary& motion) {
@@ -310,6 +327,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     plan.block.mapWidth = static_cast<std::uint32_t>(request.mapSize.width);
     plan.block.weight = 1.0f;
     plan.block.pixelCentres = request.pixelCentres ? 1u : 0u;
+    fillResponse(plan.block, request.shutter, movingTriangles_ > 0 || lightMoves(plan) || cameraMoves(plan));
 
     decideMotion(plan);
 
@@ -349,21 +367,6 @@ void FramePlanner::decideMotion(FramePlan& plan) {
     if (plan.versions.samples == 0 || lightMoves) plan.versions.lit = 0;
     if (plan.versions.lit != 0 && !plan.casters.nothingMoves())
         plan.reached = maskOfDynamicCasters(plan.casters, *motion.inMap, plan.request.mapSize.shorterSide());
-}
-
-FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {
-    CHECK_GE(m, 0);
-    CHECK_LT(m, renders);
-    FramePlan instant = plan;
-    // Its samples differ from the frame's, so nothing cached for those may be used.
-    instant.versions.samples = instant.versions.lit = 0;
-    instant.block.timeBase = (static_cast<float>(m) + 0.5f) / static_cast<float>(renders);
-    instant.block.timeScale = 0.0f;
-    instant.block.strata = 1;
-    instant.block.seed = shared::hashWords({plan.block.seed, static_cast<std::uint32_t>(m), 0x51ed27u}).x;
-    instant.block.weight = 1.0f / static_cast<float>(renders);
-    instant.request.samplesPerPixel = 1;
-    return instant;
 }
 
 }  // namespace timeshade

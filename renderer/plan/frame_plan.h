@@ -62,6 +62,8 @@ struct FramePlan {
         1.0};  ///< of the light's map, constant during a shutter: right, up, back along the mean direction
     ViewPlan camera;
     ViewPlan light;
+    /// Its response is the request's, but a box where nothing moves: then all instants are alike, and a weight would
+    /// only spread a pixel's samples less evenly over its area.
     shared::FrameBlock block{};
     MotionSummary motion;
     std::shared_ptr<const std::vector<TriangleMotion>> triangles;  ///< motion of each triangle, by id
@@ -99,7 +101,8 @@ class FramePlanner {
 };
 
 /// The plan of render m (0 <= m < renders) of a frame that is accumulated from `renders` instants: one camera sample
-/// per pixel, all at u = (m + 1/2) / renders, at another sub-pixel position in each render, with weight 1 / renders.
+/// per pixel, all at u = (m + 1/2) / renders, at another sub-pixel position in each render, with the weight that the
+/// shutter's response gives to that instant among all of them: 1 / renders for a box.
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders);
 
 }  // namespace timeshade

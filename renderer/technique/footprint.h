@@ -4,8 +4,9 @@ namespace timeshade {
 
 /// What one value of a technique averages over: its value for camera sample (pixel, k) estimates the visibility of the
 /// light, averaged over this, *restricted to the surface that the sample sees*. The receiver is followed as a point of
-/// its triangle (barycentrics fixed) over the footprint's time, and over the pixel's area on that surface. Both errors
-/// of a technique are judged by it: see docs/numerics.md.
+/// its triangle (barycentrics fixed) over the footprint's time, and over the pixel's area on that surface. A mean over
+/// time is weighted by the shutter's response (FrameBlock::response): the integral of w lit over that of w, over the
+/// stratum or the shutter. Both errors of a technique are judged by it: see docs/numerics.md.
 struct Footprint {
     enum class Time {
         Instant,  ///< the sample's own time

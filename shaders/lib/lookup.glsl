@@ -3,7 +3,10 @@
 //     float litOf(MovingTriangle t, Receiver r)
 //         at the receiver's own time (Footprint: Instant)
 //     float litOver(MovingTriangle t, Receiver r, float u0, float u1)
-//         the mean over [u0, u1] of the shutter, the receiver followed as a point of its triangle
+//         the mean over [u0, u1] of the shutter, the receiver followed as a point of its triangle. Weighted by the
+//         shutter's response: the integral of w lit over that of w, from u0 to u1, with w = shutterWeight(
+//         frame.response, frame.responseWidth, u) of shared/shutter_response.shared.h; an interval [a, b] of light adds
+//         shutterExposure(.., b) - shutterExposure(.., a). Where u0 = u1 it is litOf there.
 // for a receiver that faces the light and lies inside its cone, and includes lib/lookup_main.glsl last.
 //
 // STATIC_CASTERS_ONLY: dynamic casters are left out.

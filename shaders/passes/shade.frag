@@ -1,7 +1,11 @@
 // Mean over a pixel's camera samples of shading times lit: the only place where light becomes colour.
 //
 // VIEW_VISIBILITY: mean of lit alone.
+// SHUTTER_WEIGHTS: each sample counts by the shutter's response at its time; else all alike.
 #include "lib/receiver.glsl"
+#ifdef SHUTTER_WEIGHTS
+#include "shared/shutter_response.shared.h"
+#endif
 
 layout(binding = TRIANGLE_SHADING_UNIT) uniform samplerBuffer triangleShading;
 layout(binding = VISIBILITY_UNIT) uniform sampler2DArray visibility;
@@ -90,22 +94,33 @@ vec3 shade(Receiver r, uint material, float lit) {
     return radiance;
 }
 
+vec3 colourOf(uvec2 pixel, uint stratum) {
+    float lit = texelFetch(visibility, ivec3(pixel, stratum), 0).x;
+#ifdef VIEW_VISIBILITY
+    return vec3(lit);
+#else
+    uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
+    if (id == NO_TRIANGLE) return frame.background.rgb;
+    MovingTriangle t = fetchTriangle(id);
+    return shade(receiverOf(t, id, pixel, stratum), t.material, lit);
+#endif
+}
+
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     vec3 sum = vec3(0.0);
+#ifdef SHUTTER_WEIGHTS
+    float weights = 0.0;
     for (uint stratum = 0u; stratum < frame.strata; ++stratum) {
-        float lit = texelFetch(visibility, ivec3(pixel, stratum), 0).x;
-#ifdef VIEW_VISIBILITY
-        sum += vec3(lit);
-#else
-        uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
-        if (id == NO_TRIANGLE) {
-            sum += frame.background.rgb;
-        } else {
-            MovingTriangle t = fetchTriangle(id);
-            sum += shade(receiverOf(t, id, pixel, stratum), t.material, lit);
-        }
-#endif
+        float xi = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA).z;
+        float u = sampleTime(frame.timeBase, frame.timeScale, stratum, xi);
+        float weight = shutterWeight(frame.response, frame.responseWidth, u);
+        sum += weight * colourOf(pixel, stratum);
+        weights += weight;
     }
+    outputRadiance = vec4(sum / weights, 1.0) * frame.weight;
+#else
+    for (uint stratum = 0u; stratum < frame.strata; ++stratum) sum += colourOf(pixel, stratum);
     outputRadiance = vec4(sum / float(frame.strata), 1.0) * frame.weight;
+#endif
 }

@@ -59,10 +59,12 @@ struct FrameBlock {
     uint strata;         // camera samples per pixel
     uint seed;
     uvec2 imageSize;
-    uint mapWidth;      // texels in a row of the shadow map
-    float weight;       // share of this render in the picture: 1 / renders
-    uint pixelCentres;  // 1: camera samples lie at pixel centres
-    uint padding0, padding1, padding2;
+    uint mapWidth;        // texels in a row of the shadow map
+    float weight;         // share of this render in the picture; of renders that count alike 1 / renders
+    uint pixelCentres;    // 1: camera samples lie at pixel centres
+    uint response;        // of the shutter, as in shutter_response.shared.h; SHUTTER_BOX where nothing moves
+    float responseWidth;  // standard deviation of SHUTTER_GAUSSIAN in u; else 0
+    uint padding0;
 };
 
 /// How vertices become what a rasteriser with a sample in space and time needs: view coordinates (X, Y, Z) that are
@@ -82,7 +84,7 @@ SHARED_END
 
 #ifdef __cplusplus
 namespace timeshade::shared {
-static_assert(sizeof(FrameBlock) == 11 * 16 + 32 + 16, "std140 layout changed: fix both readers");
+static_assert(sizeof(FrameBlock) == 11 * 16 + 48, "std140 layout changed: fix both readers");
 static_assert(sizeof(ViewBlock) == 4 * 64 + 16, "std140 layout changed: fix both readers");
 }  // namespace timeshade::shared
 #endif

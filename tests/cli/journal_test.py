@@ -59,6 +59,10 @@ class Journal(ProgramTest):
         self.expect_measured_again("frame", size="25x16")
         self.expect_measured_again("frame", "--shutter-position", "end")
         self.expect_measured_again("frame", "--shutter", "0.25")
+        self.expect_measured_again("frame", "--shutter-response", "tent")
+        self.expect_measured_again("frame", "--shutter-response", "gaussian")
+        self.expect_measured_again("frame", "--shutter-response", "gaussian", "--shutter-width", "0.3")
+        self.assertEqual(self.measure("--shutter-response", "box"), (0, ""), "the usual one")
         self.expect_measured_again("frame", "--frame", "3")
         self.expect_measured_again("frame", "--seed", "9")
         pose = "0,9,0.5,1,0,0,0,0,-1,0,1,0,0.9,0.1"

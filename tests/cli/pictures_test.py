@@ -68,10 +68,23 @@ class Pictures(ProgramTest):
         plain = self.shot("chess", "default.png", *quick)
         for option in (("--seed", "2"), ("--frame", "7"), ("--time", "0.7"), ("--shutter", "3"), ("--camera", "knight"),
                        ("--view", "visibility"), ("--spp", "3"), ("--map", "64"), ("--fps", "7", "--shutter", "1"),
-                       ("--shutter-position", "end"), ("--size", "72x96")):
+                       ("--shutter-position", "end"), ("--shutter-response", "tent"),
+                       ("--shutter-response", "gaussian"),
+                       ("--shutter-response", "gaussian", "--shutter-width", "0.3"), ("--size", "72x96")):
             with self.subTest(option=option):
                 self.assertNotEqual(plain, self.shot("chess", "F.png", *quick, *option))
         self.assertEqual(plain, self.shot("chess", "F.png", *quick, "--seed", "1"), "1 is the default seed")
+        self.assertEqual(plain, self.shot("chess", "F.png", *quick, "--shutter-response", "box"), "as it is by default")
+
+    def test_a_response_is_about_motion_alone(self):
+        """Where nothing moves all instants are alike, whatever counts more."""
+        for technique in TECHNIQUES:
+            quick = ("--technique", technique, "--spp", "3", "--size", "64x48", "--map", "64", "--shutter", "0",
+                     "--set", "accumulation.renders=3")
+            plain = self.shot("chess", "plain.png", *quick)
+            for response in ("tent", "gaussian"):
+                with self.subTest(technique=technique, response=response):
+                    self.assertEqual(plain, self.shot("chess", "F.png", *quick, "--shutter-response", response))
 
     def test_negative_and_fractional_frames(self):
         quick = ("--size", "96x72", "--spp", "1", "--map", "64")

@@ -36,6 +36,8 @@ class BadArguments(ProgramTest):
                        "640X480",
                        "640*480", "99999999999x1", "nanxnan", "640.5x480", ""),
             "--shutter-position": ("middle", "2", "Start", ""),
+            "--shutter-response": ("triangle", "1", "Tent", ""),
+            "--shutter-width": ("0", "0.04", "2.1", "-0.2", *numbers),
             "--context": ("glx", "2", "EGL", ""),
             "--view": ("wrong", "1", "Final", ""),
             "--technique": ("nonsense", "TSM", "tsm ", "0", ""),
@@ -49,6 +51,11 @@ class BadArguments(ProgramTest):
                     # Joined, since a value that begins with a dash may be an option; but nothing is not joined.
                     given = (f"{option}={value}",) if value else (option, value)
                     self.refuse_usage((value, option.lstrip("-"), "expected"), *SHOT, *given)
+
+    def test_a_width_is_the_gaussians(self):
+        for response in ((), ("--shutter-response", "box"), ("--shutter-response", "tent")):
+            self.refuse_usage(("--shutter-width 0.2", "expected", "--shutter-response gaussian"), *SHOT,
+                              "--shutter-width", "0.2", *response)
 
     def test_settings_of_techniques(self):
         for setting in ("", "=", "tsm", "tsm.bias", "tsm=1", ".bias=1", "tsm.bias=", "tsm.bias=nan", "tsm.bias=inf",

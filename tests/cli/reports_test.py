@@ -198,6 +198,16 @@ class Plans(ProgramTest):
     def test_what_moves(self):
         self.assertRegex(self.explain("pillars"), r"(?m)^sample .* 0 of \d+ triangles move, the light moves")
         self.assertRegex(self.explain("chess", "--frame", "26"), r"(?m)^sample .*[1-9]\d* of \d+ triangles move")
+        self.assertNotIn("response", self.explain("pillars", "--shutter-response", "box"))
+        self.assertRegex(self.explain("pillars", "--shutter-response", "tent", "--spp", "2"),
+                         r"(?m)^response +tent: [^;]+$")
+        self.assertRegex(self.explain("pillars", "--shutter-response", "tent", "--spp", "1"),
+                         r"(?m)^response +tent: .*; without effect on one sample a pixel")
+        self.assertRegex(self.explain("pillars", "--shutter-response", "gaussian", "--shutter-width", "0.25",
+                                      "--spp", "2"),
+                         r"(?m)^response +Gaussian .* 0\.25 of the shutter$")
+        self.assertRegex(self.explain("chess", "--shutter", "0", "--shutter-response", "tent"),
+                         r"(?m)^response +tent: .*; without effect, as nothing moves$")
         still = self.explain("chess", "--shutter", "0")
         self.assertRegex(still, r"(?m)^sample .* 0 of \d+ triangles move, "
                                 r"the light stands still, the camera stands still")
@@ -241,6 +251,18 @@ class Manifests(ProgramTest):
                           "--size", "{}x{}".format(*report["size"]), "--map", report["map"], "--seed", report["seed"],
                           "--frame", report["frame"], "--fps", report["fps"], "--shutter", report["shutter"], *settings)
         self.assertEqual(first, again)
+
+
+    def test_responses_that_are_not_usual_are_named(self):
+        quick = ("--size", "64x48", "--spp", "2", "--map", "64")
+        for response, named in ((("box",), {}), (("tent",), {"shutter_response": "tent"}),
+                                (("gaussian", "--shutter-width", "0.3"),
+                                 {"shutter_response": "gaussian", "shutter_width": 0.3})):
+            for command in (("shot", "chess", "-o", "F.png"),
+                            ("verify", "chess", "--technique", "static", "--reference-rays", "0")):
+                self.succeed(*command, *quick, "--json", "F.json", "--shutter-response", *response)
+                report = json.loads((self.folder / "F.json").read_text(encoding="utf-8"))
+                self.assertEqual({k: v for k, v in report.items() if k in ("shutter_response", "shutter_width")}, named)
 
 
 class PixelCentres(ProgramTest):
@@ -314,11 +336,11 @@ class Sequences(ProgramTest):
 
 class SettingsFiles(ProgramTest):
     FILE = {"technique": "tsm", "spp": 3, "size": "96x72", "map": 128, "seed": 9, "frame": 21, "shutter": 1.5,
-            "camera": "knight", "explain": False, "gl-debug": True,
-            "set": {"tsm.bias": 2, "tsm.dynamic_bias": True, "static.bias": 3.5}}
+            "shutter-response": "gaussian", "shutter-width": 0.25, "camera": "knight",
+            "explain": False, "gl-debug": True, "set": {"tsm.bias": 2, "tsm.dynamic_bias": True, "static.bias": 3.5}}
     OPTIONS = ("--technique", "tsm", "--spp", "3", "--size", "96x72", "--map", "128", "--seed", "9", "--frame", "21",
-               "--shutter", "1.5", "--camera", "knight", "--gl-debug", "--set", "tsm.bias=2",
-               "--set", "tsm.dynamic_bias=on", "--set", "static.bias=3.5")
+               "--shutter", "1.5", "--shutter-response", "gaussian", "--shutter-width", "0.25", "--camera", "knight",
+               "--gl-debug", "--set", "tsm.bias=2", "--set", "tsm.dynamic_bias=on", "--set", "static.bias=3.5")
 
     def write(self, name, content):
         (self.folder / name).write_text(json.dumps(content), encoding="utf-8")

@@ -146,6 +146,9 @@ void drawEverything() {
                 });
                 if (technique->warmUpFrames() > 0) drawNextFrame(renderer, planner, description.name);
             }
+            FrameRequest tent = ProceduralScene::request(16, 12, 2, 16, 1);
+            tent.shutter.response = ShutterResponse::Tent;
+            for (const View view : {View::Final, View::Visibility}) renderer.draw(planner.plan(tent), striped, view);
         }
     }
 }
@@ -270,7 +273,9 @@ void theFramesDrawnHadEveryVariant() {
             for (const std::string bias : {"", "DYNAMIC_BIAS=1"})
                 has("techniques/tsm/lookup.frag", joined({turns, orthographic, bias, "DYNAMIC_CASTERS=1"}));
         }
-        for (const std::string view : {"", "VIEW_VISIBILITY=1"}) has("passes/shade.frag", joined({turns, view}));
+        for (const std::string view : {"", "VIEW_VISIBILITY=1"})
+            for (const std::string weights : {"", "SHUTTER_WEIGHTS=1"})
+                has("passes/shade.frag", joined({turns, view, weights}));
     }
     for (const std::string cover : {"passes/stochastic_points.vert", "passes/stochastic_rectangles.vert"}) {
         for (const std::string turns : {"", "VIEW_TURNS=1"}) has(cover, joined({"OUTPUT_ID=1", turns}));

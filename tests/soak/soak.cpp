@@ -198,7 +198,8 @@ class Soak {
         session_.view.show("final");
         for (const Setting& setting : settingsOf(session_.technique.current()))
             Setting(setting).set(setting.defaultValue);
-        width_ = height_ = session_.moment.request.mapSize = smallestMap;
+        width_ = height_ = smallestMap;
+        session_.moment.request.mapSize = smallestMap;
         session_.moment.request.samplesPerPixel = 1;
         draw(false);
     }
@@ -207,7 +208,7 @@ class Soak {
         const FrameRequest& r = session_.moment.request;
         return fmt::format("{} in {}, view {}, {} x {}, {} spp, map {}", session_.technique.name(),
                            session_.scene.name(), session_.view.name(), r.width, r.height, r.samplesPerPixel,
-                           r.mapSize);
+                           r.mapSize.text());
     }
 
   private:
@@ -232,7 +233,7 @@ class Soak {
             session_.moment.request.width = width_;
             session_.moment.request.height = height_;
             if (session_.scene.name() == crowdScene)
-                session_.moment.request.mapSize = std::min(session_.moment.request.mapSize, maxCrowdMap);
+                session_.moment.request.mapSize = std::min(session_.moment.request.mapSize.longerSide(), maxCrowdMap);
             session_.driver.update(session_.wanted(moving && round < 2), session_.now);
             panels_.draw(session_);
             if (session_.driver.state() == FrameDriver::State::Failed) {

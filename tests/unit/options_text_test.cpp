@@ -94,6 +94,9 @@ PictureOptions randomState(int seed) {
     options.framesPerSecond = 0.1 + 100.0 * dice.share();
     options.shutterLength = 16.0 * dice.share();
     options.shutterPosition = static_cast<ShutterPosition>(dice.below(3));
+    options.shutterResponse = static_cast<ShutterResponse>(dice.below(3));
+    if (options.shutterResponse == ShutterResponse::Gaussian && dice.yes())
+        options.shutterWidth = Shutter::leastWidth + dice.share() * (Shutter::mostWidth - Shutter::leastWidth);
     if (dice.below(4) == 0) options.instant = dice.share();
     if (dice.yes()) options.camera = dice.yes() ? "knight" : "Camera of 'Ann' & \"Bob\"";
     if (dice.yes()) options.pose = randomPose(dice);
@@ -117,6 +120,7 @@ void expectSamePicture(const PictureOptions& a, const PictureOptions& b) {
               std::tie(b.width, b.height, b.samplesPerPixel, b.mapSize, b.seed));
     EXPECT_EQ(std::tie(a.frame, a.instant, a.framesPerSecond, a.shutterLength, a.shutterPosition),
               std::tie(b.frame, b.instant, b.framesPerSecond, b.shutterLength, b.shutterPosition));
+    EXPECT_EQ(std::tie(a.shutterResponse, a.shutterWidth), std::tie(b.shutterResponse, b.shutterWidth));
     EXPECT_EQ(std::tie(a.forceDynamic, a.noCache, a.pixelCentres), std::tie(b.forceDynamic, b.noCache, b.pixelCentres));
     EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam),
               std::tie(b.view, b.techniqueView, b.compared, b.compareMode, b.seam));

@@ -7,6 +7,7 @@
 
 #include "cases/procedural_scene.h"
 #include "oracle/oracle.h"
+#include "shared/shutter_response.shared.h"
 
 namespace timeshade {
 namespace {
@@ -232,6 +233,55 @@ TEST(OracleMeans, ASurfaceIsOneInstance) {
     }
     EXPECT_GT(onGround, 5u);
     EXPECT_GT(onStep, 5u);
+}
+
+/// Of the shutter's exposure, the part from a to b of a tent.
+double tentShare(double a, double b) {
+    const auto until = [](double u) { return u < 0.5 ? 2.0 * u * u : 1.0 - 2.0 * (1.0 - u) * (1.0 - u); };
+    return until(b) - until(a);
+}
+
+FramePlan withTent(FramePlan plan) {
+    plan.block.response = SHUTTER_TENT;
+    return plan;
+}
+
+TEST(OracleMeans, RaysCountAsTheShutterResponds) {
+    const SweepingEdge scene(1.0);
+    const FramePlan plan = withTent(scene.plan(side, side, 4));
+    const Oracle oracle(plan);
+    const Means found = meansOver(oracle, plan, 128, [](SampleFootprint& over, const OracleAnswer&) {
+        over.from = over.sample.stratum < 2 ? 0.0f : 0.25f * static_cast<float>(over.sample.stratum);
+        over.to = over.sample.stratum < 2 ? 1.0f : over.from + 0.25f;
+    });
+    ASSERT_GT(found.means.size(), 900u);
+    for (std::size_t i = 0; i < found.means.size(); ++i) {
+        const double from = static_cast<double>(found.footprints[i].from),
+                     to = static_cast<double>(found.footprints[i].to);
+        const double x = found.answers[i].position.x + plan.origin.x;
+        const double passed = std::clamp(x - static_cast<double>(found.answers[i].time) + 1.0, from, to);
+        ASSERT_EQ(found.means[i].tested, 128u);
+        // Of the weights the ends of a stratum count at most as 2 to 1, those of the shutter 2 to the mean's 1; and the
+        // sum of the weights itself is by chance.
+        ASSERT_NEAR(found.means[i].value(), tentShare(from, passed) / tentShare(from, to), 2.0 / 128.0 + 2e-3);
+    }
+}
+
+TEST(OracleMeans, PixelsCountAsTheShutterResponds) {
+    const SweepingEdge scene;
+    const FramePlan plan = withTent(scene.plan(side, side, 4));
+    const std::vector<VisibilityMean> means = Oracle(plan).pixelMeans(plan, 0, side, 1024, 5);
+    for (int x = 0; x < side; ++x) {
+        double exact = 0.0;
+        constexpr int steps = 4096;
+        for (int i = 0; i < steps; ++i) {
+            const double u = (i + 0.5) / steps;
+            exact += tentShare(u - 0.5 / steps, u + 0.5 / steps) *
+                     litShareAt(SweepingEdge::begin(x, side), SweepingEdge::begin(x + 1, side), u);
+        }
+        for (int y = 0; y < side; ++y)
+            ASSERT_NEAR(means[static_cast<std::size_t>(y * side + x)].value(), exact, 0.03) << x << ", " << y;
+    }
 }
 
 TEST(OracleMeans, NothingSeenHasNoMean) {

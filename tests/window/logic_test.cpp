@@ -142,7 +142,7 @@ FrameRequest fullRequest() {
 /// A renderer whose time is in proportion to samples and to map texels.
 double costOf(const FrameRequest& r) {
     return r.samplesPerPixel *
-           (static_cast<double>(r.width) * r.height * 2.5e-4 + static_cast<double>(r.mapSize) * r.mapSize * 1e-4);
+           (static_cast<double>(r.width) * r.height * 2.5e-4 + static_cast<double>(r.mapSize.texels()) * 1e-4);
 }
 
 TEST(PreviewQuality, BecomesFastEnoughAndStaysSo) {

@@ -128,11 +128,13 @@ class SettingsFiles(WindowTest):
         window.drag((PANEL_WIDTH + width) / 2, height / 3, (PANEL_WIDTH + width) / 2 + 60, height / 3 + 20)
         window.drag_slider("tsm.bias", 0.8)
         window.drag_slider("shutter", 0.7)
+        window.choose("shutter.response", "gaussian")
+        window.drag_slider("shutter.width", 0.3)
         window.key("Right", "Right")
         window.settle(hand_camera=True)
         first = self.picture(window)
         command = self.copied(window)
-        for word in ("pillars", "tsm.bias", "--pose", "--shutter"):
+        for word in ("pillars", "tsm.bias", "--pose", "--shutter", "--shutter-response=gaussian", "--shutter-width"):
             self.assertIn(word, command)
         headless(command, window.folder)
         name = command.split(" -o ")[1]
@@ -188,6 +190,11 @@ class Settings(WindowTest):
         self.assertGreater(window.look_at_picture().share_different(before), 0.005)
         shutter = window.widget("shutter")["value"]
         self.assertNotEqual(window.drag_slider("shutter", 0.9), shutter)
+        plain = window.look_at_picture()
+        window.choose("shutter.response", "tent")
+        window.settle()
+        self.assertGreater(window.look_at_picture().share_different(plain), 0.005)
+        self.assertNotIn("shutter.width", window.wait(lambda dump: True, "a dump")["widgets"], "a tent has none")
         window.choose("map", "128 × 128")
         window.wait(lambda dump: "map 128" in dump["widgets"]["status"]["value"], "the other map")
         window.choose("tsm.dynamic_bias", "both_times")

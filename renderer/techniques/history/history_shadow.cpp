@@ -5,6 +5,7 @@
 #include <span>
 
 #include "technique/technique_entry.h"
+#include "techniques/history/exposed_instant.h"
 #include "techniques/history/map_raster.h"
 
 namespace timeshade {
@@ -92,7 +93,7 @@ shared::HistoryBlock HistoryShadow::blockOf(const FramePlan& plan) const {
     // Where time goes on the middle of the shutter is nearest to all of it; a moment that is held is seen as a whole.
     const double u = asPublished_ || transition_.heldFrames == 0
                          ? 0.5
-                         : radicalInverse(7, static_cast<std::uint32_t>(transition_.heldFrames));
+                         : exposedInstant(plan.block, radicalInverse(7, std::uint32_t(transition_.heldFrames)));
     block.instant =
         plan.block.timeBase + static_cast<float>(u) * static_cast<float>(plan.block.strata) * plan.block.timeScale;
     const auto still = static_cast<float>(transition_.staticFrames);

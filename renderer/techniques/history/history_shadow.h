@@ -35,7 +35,9 @@ namespace timeshade {
 ///
 /// Also beyond the paper, moving receivers are followed, and the past is dropped for pixels behind something that has
 /// moved (DynamicMask) and, if the light has moved, for all. While a moment is held, the map's instant runs through the
-/// shutter, so that blurred shadows converge to their mean; then all tests have the same weight.
+/// shutter, so that blurred shadows converge to their mean; then all tests have the same weight. Instants then lie as
+/// densely as the shutter responds (exposedInstant), so that their plain mean is the weighted one. Where time goes on
+/// there is one instant a frame, and a response changes nothing but how a pixel's samples count.
 ///
 /// With a static camera converged pixels are tested less often (ConvergedPixels). With one sample per pixel and a
 /// closed shutter these are only certain or proven pixels; otherwise, pixels near edges as well after twelve tests.

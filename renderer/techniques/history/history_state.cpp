@@ -15,10 +15,9 @@ bool sameSetup(const HistoryState::Past& past, const FramePlan& plan, const std:
     const FrameRequest &a = past.request, &b = plan.request;
     const double step = b.frame - a.frame;
     return a.width == b.width && a.height == b.height && a.samplesPerPixel == b.samplesPerPixel &&
-           a.mapSize == b.mapSize && a.seed == b.seed && a.pixelCentres == b.pixelCentres &&
-           a.shutter.framesPerSecond == b.shutter.framesPerSecond && a.shutter.length == b.shutter.length &&
-           a.shutter.position == b.shutter.position && a.cameraIndex == b.cameraIndex &&
-           past.topology == plan.mesh->topology && step >= 0.0 && step <= longestStep && past.settings == settings;
+           a.mapSize == b.mapSize && a.seed == b.seed && a.pixelCentres == b.pixelCentres && a.shutter == b.shutter &&
+           a.cameraIndex == b.cameraIndex && past.topology == plan.mesh->topology && step >= 0.0 &&
+           step <= longestStep && past.settings == settings;
 }
 
 bool sameEnd(const ViewEnd& a, const ViewEnd& b) {

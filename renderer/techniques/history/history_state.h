@@ -25,8 +25,8 @@ struct FrameTransition {
 };
 
 /// Stores the previous frame and determines what has changed since. The history starts again after a change of size,
-/// samples, map, seed, shutter, scene, camera bookmark or settings, a step back in time, or one of more than eight
-/// frames.
+/// samples, map, seed, shutter and its response, scene, camera bookmark or settings, a step back in time, or one of
+/// more than eight frames.
 class HistoryState {
   public:
     FrameTransition follow(const FramePlan& plan, const std::vector<double>& settings);

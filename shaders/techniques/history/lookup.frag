@@ -3,6 +3,7 @@
 //
 // MOVED: the camera or something in the scene has moved since the frame before, so that the history is reprojected.
 // TRIES_TRIANGLES: as in map_test.glsl; then the pixel's re-test period is written as well.
+#include "shared/shutter_response.shared.h"
 #include "techniques/history/cameras.glsl"
 #include "techniques/history/map_test.glsl"
 #include "techniques/history/texel.glsl"
@@ -34,7 +35,7 @@ struct Seen {
 struct PixelTests {
     Seen seen;
     uint testedStrata;  // one bit each
-    float count;        // of tested samples
+    float count;        // of tested samples, each by its weight in the picture
     float litSum, weightSum, weightedLit;
     vec2 low, high;      // of their positions in the light's image plane
     bool sure, proven;   // every sample
@@ -128,7 +129,8 @@ vec4 reprojected(Seen seen, uvec2 pixel) {
 }
 #endif
 
-void addTest(inout PixelTests tests, ShadowTest test, uint stratum) {
+// `share`: the sample's weight in the picture, 1 unless the shutter responds otherwise.
+void addTest(inout PixelTests tests, ShadowTest test, uint stratum, float share) {
     float weight = max(confidenceWeight(test.confidence, history.exponent), 1e-12);
     // Where proof does not last it must not outweigh the other tests.
     if (history.triesTriangles != 0u && history.keepsProof == 0u) weight = 1.0 / history.weightScale;
@@ -137,10 +139,10 @@ void addTest(inout PixelTests tests, ShadowTest test, uint stratum) {
     tests.low = min(tests.low, test.place);
     tests.high = max(tests.high, test.place);
     tests.proven = tests.proven && test.proven;
-    tests.count += 1.0;
-    tests.litSum += test.lit;
-    tests.weightSum += weight;
-    tests.weightedLit += weight * test.lit;
+    tests.count += share;
+    tests.litSum += share * test.lit;
+    tests.weightSum += share * weight;
+    tests.weightedLit += share * (weight * test.lit);
 }
 
 // Tests every sample of the pixel that faces the light, and writes its own lit value.
@@ -169,7 +171,7 @@ PixelTests testPixel(uvec2 pixel) {
         if ((overlapped || receiverMoves) && test.guessedDark) test.lit = 0.0;
         tests.overlapped = tests.overlapped || overlapped;
 #endif
-        addTest(tests, test, stratum);
+        addTest(tests, test, stratum, shutterWeight(frame.response, frame.responseWidth, r.time));
         imageStore(visibility, place, vec4(test.lit));
         // The history is about the sample at the centre of the shutter, or the last before it that sees a surface to
         // test.
