@@ -39,6 +39,14 @@ struct Subject {
 
 bool isBaseline(const SweepPoint& point) { return point.technique == "embree"; }
 
+/// The scene's request with what a point varies of it.
+FrameRequest requestOf(const SweepScene& scene, const SweepPoint& point) {
+    FrameRequest request = scene.request;
+    request.samplesPerPixel = point.sampleCount;
+    request.mapSize = point.mapSize;
+    return request;
+}
+
 /// The states in which a point must have been measured: there may be rows for Filling as well.
 std::vector<FrameState> statesOf(const SweepPoint& point, const SweepScene& scene) {
     if (isBaseline(point) || !scene.request.useCaches || scene.request.forceDynamic) return {FrameState::Cold};
@@ -107,10 +115,8 @@ class SceneSweep {
 
   private:
     FrameRequest requestFor(const SweepPoint& point, int round) const {
-        FrameRequest request = scene_.request;
-        request.samplesPerPixel = point.sampleCount;
-        request.mapSize = point.mapSize;
-        request.seed = scene_.request.seed + static_cast<std::uint32_t>(round);
+        FrameRequest request = requestOf(scene_, point);
+        request.seed += static_cast<std::uint32_t>(round);
         return request;
     }
     /// Each technique on the samples that it asks for: what is compared here are errors, each against the truth of its
@@ -218,10 +224,7 @@ std::vector<WantedPoint> wantedPoints(const SweepOptions& options, const SweepSc
     std::vector<WantedPoint> wanted;
     for (const SweepPoint& point : pointsOf(options, scene)) {
         MadeWith madeWith = program;
-        FrameRequest request = scene.request;
-        request.samplesPerPixel = point.sampleCount;
-        request.mapSize = point.mapSize;
-        for (auto& part : madeWithScene(*scene.scene, request)) madeWith.push_back(std::move(part));
+        for (auto& part : madeWithScene(*scene.scene, requestOf(scene, point))) madeWith.push_back(std::move(part));
         const std::unique_ptr<Technique> technique = makeSubject(point, options, renderer.programs());
         madeWith.emplace_back("settings", settingsText(*technique));
         madeWith.emplace_back("measurement",

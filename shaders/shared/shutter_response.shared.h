@@ -24,7 +24,8 @@ SHARED_FUNCTION float shutterWeight(uint response, float width, float u) {
     return max(weight, SHARED_FLOAT(1e-15));
 }
 
-/// The error function for x >= 0, within 1.5e-7 and the rounding of floats, 2.5e-7: Abramowitz and Stegun 1964, 7.1.26.
+/// The error function for x >= 0, within 4e-7: 1.5e-7 of Abramowitz and Stegun 1964, 7.1.26, and 2^-22 of rounding,
+/// four units in the last place of terms about 1.
 SHARED_FUNCTION float errorFunction(float x) {
     float t = SHARED_FLOAT(1.0) / (SHARED_FLOAT(1.0) + SHARED_FLOAT(0.3275911) * x);
     float series =
