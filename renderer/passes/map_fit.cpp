@@ -57,13 +57,13 @@ std::optional<Warp> perspectiveWarp(const FramePlan& plan, const std::vector<glm
                      up = 0.5 * (open.up + close.up), corner = 0.5 * (open.corner + close.corner);
     const glm::dvec3 direction = glm::normalize(corner + 0.5 * (right + up));
     glm::dvec3 centre(0.0);
-    double nearest = 1e300, farthest = 0.0;
+    double farthest = 0.0;
     for (const glm::dvec3& p : body) {
         centre += p / static_cast<double>(body.size());
-        nearest = std::min(nearest, glm::dot(p - eye, direction));
         farthest = std::max(farthest, glm::dot(p - eye, direction));
     }
-    nearest = std::max(nearest, 1e-3 * farthest);
+    // The body begins at a camera that stands amid the scene: what it sees there begins farther on.
+    const double nearest = std::clamp(nearestSeen(plan), 1e-3 * farthest, farthest);
     const bool directional = plan.lightOpen.kind == LightKind::Directional;
     const glm::dvec3 light = 0.5 * (plan.lightOpen.position + plan.lightClose.position) - plan.origin;
     const glm::dvec3 ray = directional ? -plan.lightAxes[2] : glm::normalize(centre - light);

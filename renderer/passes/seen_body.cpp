@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace timeshade {
 
@@ -200,6 +201,30 @@ std::vector<glm::dvec3> sweptSeenBody(const FramePlan& plan) {
     add(planesOf(box));
     if (!plan.motion.lightMoves) add(planesOf(plan.light));
     return cornersOf(planes, centre, diagonal);
+}
+
+double nearestSeen(const FramePlan& plan) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const bool closes : {false, true}) {
+        const ViewEnd& camera = closes ? plan.camera.close : plan.camera.open;
+        const std::vector<Plane> planes = pyramidOf(camera, 1.0).planes;
+        const glm::dvec3 along = glm::normalize(camera.corner + 0.5 * (camera.right + camera.up));
+        const auto position = [&](std::uint32_t vertex) {
+            return glm::dvec3(plan.texels->vertices[2 * std::size_t{vertex} + (closes ? 1u : 0u)]);
+        };
+        for (const glm::u32vec3& t : plan.mesh->topology->triangles) {
+            const std::array<glm::dvec3, 3> corners{position(t[0]), position(t[1]), position(t[2])};
+            const auto isBeyond = [&](const Plane& plane) {
+                return std::all_of(corners.begin(), corners.end(),
+                                   [&](const glm::dvec3& corner) { return height(plane, corner) < 0.0; });
+            };
+            if (std::any_of(planes.begin(), planes.end(), isBeyond)) continue;
+            Polygon seen(corners.begin(), corners.end());
+            for (const Plane& plane : planes) seen = clipped(seen, plane);
+            for (const glm::dvec3& p : seen) nearest = std::min(nearest, glm::dot(p - camera.eye, along));
+        }
+    }
+    return nearest;
 }
 
 glm::dvec2 onMapPlane(const ViewPlan& light, const glm::dvec3& point) {

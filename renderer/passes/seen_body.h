@@ -18,6 +18,10 @@ std::vector<glm::dvec3> seenBody(const FramePlan& plan, const ViewEnd& camera);
 /// lines, so that the hull of both ends' pyramids holds what lies between.
 std::vector<glm::dvec3> sweptSeenBody(const FramePlan& plan);
 
+/// How far along the view's middle, at least, the nearest triangle lies that the camera sees when the shutter opens or
+/// closes. Infinite where it sees none.
+double nearestSeen(const FramePlan& plan);
+
 /// A world point on the light's map plane when the shutter opens, (s, t) in [0, 1] inside the map. It must lie in front
 /// of the light.
 glm::dvec2 onMapPlane(const ViewPlan& light, const glm::dvec3& point);

@@ -37,7 +37,11 @@ std::unique_ptr<SceneRecipe> makeRecipe(const std::string& name) {
 
 std::vector<SceneParameter> parametersOf(SceneRecipe& recipe) {
     std::vector<SceneParameter> parameters;
-    for (const Setting& setting : settingsOf(recipe)) parameters.push_back({setting.key, setting.get()});
+    for (const Setting& setting : settingsOf(recipe)) {
+        // As it is written: 0.4 is no float.
+        const bool isFraction = !setting.isWhole() && !setting.isSwitch();
+        parameters.push_back({setting.key, isFraction ? std::stod(textOf(setting)) : setting.get()});
+    }
     return parameters;
 }
 

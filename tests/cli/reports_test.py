@@ -21,12 +21,12 @@ class Convergence(ProgramTest):
         return {(name.strip('"'), int(frames)): (float(traced), float(own)) for name, frames, traced, own in rows}
 
     def test_variants_are_measured_frame_by_frame(self):
-        self.succeed("measure", "frusta", "--convergence", "1,4", "--techniques", f"{self.PUBLISHED},history",
+        self.succeed("measure", "frusta", "--convergence", "1,20", "--techniques", f"{self.PUBLISHED},history",
                      *self.COMMON)
         wrong = self.wrong_pixels()
         self.assertEqual(len(wrong), 2 * 4)
-        self.assertLess(wrong["history", 4], wrong["history", 1])
-        self.assertLess(wrong["history", 4], wrong[self.PUBLISHED, 4])
+        self.assertLess(wrong["history", 20], wrong["history", 1])
+        self.assertLess(wrong["history", 20], wrong[self.PUBLISHED, 20])
         self.assertNotEqual(wrong["history, after motion", 1], wrong["history", 1])
         strip = Picture((self.folder / "F/frusta-strip.png").read_bytes())
         self.assertEqual((strip.width, strip.height), (2 * (2 * 48 + 1) - 1, 2 * (2 * 48 + 1) - 1))
@@ -124,7 +124,7 @@ class Lists(ProgramTest):
         few = self.shot("cubes", "few.png", *QUICK, "--set", "cubes.count=40", "--json", "few.json")
         self.assertNotEqual(usual, few)
         self.assertEqual(json.loads((self.folder / "few.json").read_text())["scene_settings"],
-                         {"count": 40, "speed": 2, "turn": 6, "seed": 1})
+                         {"count": 40, "speed": 2, "turn": 6, "size": 0.4, "seed": 1})
         (self.folder / "s.json").write_text('{"set": {"cubes.count": 40}}')
         self.assertEqual(self.shot("cubes", "file.png", *QUICK, "--settings", "s.json"), few)
         self.assertEqual(self.shot("cubes", "again.png", *QUICK, "--settings", "s.json", "--set", "cubes.count=500"),

@@ -20,10 +20,10 @@ MUTATIONS = [
     ("times swapped", "pillars", "tsm", "techniques/tsm/lookup.frag",
      "MapPoint m = mapPointOf(r, r.time);", "MapPoint m = mapPointOf(r, 1.0 - r.time);"),
     ("one texel of offset", "chess", "tsm", "techniques/tsm/lookup.frag",
-     "if (!texelOf(m, texel)) return 1.0;", "if (!texelOf(m, texel)) return 1.0; texel.x += 1;"),
+     "if (!texelOf(m, texel)) return false;", "if (!texelOf(m, texel)) return false; texel.x += 1;"),
     ("strata off by one", "pillars", "tsm", "techniques/tsm/lookup.frag",
-     "texelFetch(depthMap, ivec3(texel, stratum), 0).x",
-     "texelFetch(depthMap, ivec3(texel, (stratum + 1u) % frame.strata), 0).x"),
+     "texelFetch(depthMap, ivec3(texel, layer), 0).x",
+     "texelFetch(depthMap, ivec3(texel, (layer + 1u) % layers), 0).x"),
     # Against brute force: tsm's own false shadows on pillars are more than this adds.
     ("light frozen at u = 0", "pillars", "accumulation", "passes/shadow_map_lookup.frag",
      "MapPoint m = mapPointOf(pointAt(t, r.triangle, r.barycentrics, instant), instant);",
