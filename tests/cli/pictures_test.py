@@ -81,7 +81,7 @@ class Pictures(ProgramTest):
         for technique in TECHNIQUES:
             quick = ("--technique", technique, "--spp", "3", "--size", "64x48", "--map", "64", "--shutter", "0",
                      "--set", "accumulation.renders=3")
-            plain = self.shot("chess", "plain.png", *quick)
+            plain = self.shot("chess", "box.png", *quick)
             for response in ("tent", "gaussian"):
                 with self.subTest(technique=technique, response=response):
                     self.assertEqual(plain, self.shot("chess", "F.png", *quick, "--shutter-response", response))

@@ -34,7 +34,7 @@ EqualRow levelRow(EqualFind find, double milliseconds, double error) {
     return row;
 }
 
-const EqualRow first = makeRow("plain", 8, 35.0, 0.04);
+const EqualRow first = makeRow("simple", 8, 35.0, 0.04);
 
 std::string saidOf(EqualLevel level, const EqualFind& find, double milliseconds, double error) {
     return verdictOf(levelRow(find, milliseconds, error), level, first);
@@ -71,7 +71,7 @@ TEST(EqualReport, BruteForceCountsRenders) {
     EXPECT_EQ(verdictOf(row, EqualLevel::Time, first),
               "could not: 4 renders 28.0 ms, 5 renders 42.0 ms against 35.0 ms");
     const std::string csv = equalCsv({{"scene", {first, row}, plain(40, 30, 90), 64}}, EqualLevel::Time);
-    EXPECT_NE(csv.find("\n\"scene\",\"plain\",8,,512,35,34,36,35,0.04,0.001,64,123,0,0,time,,,\n"), std::string::npos)
+    EXPECT_NE(csv.find("\n\"scene\",\"simple\",8,,512,35,34,36,35,0.04,0.001,64,123,0,0,time,,,\n"), std::string::npos)
         << csv;
     EXPECT_NE(csv.find("\n\"scene\",\"other\",,5,512,42,41,43,35,0.02,0.001,64,123,0,0,time,1.2,no,\"could not: "),
               std::string::npos)

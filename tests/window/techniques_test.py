@@ -278,7 +278,7 @@ class Accuracy(WindowTest):
         self.assertNotIn("accuracy", window.state())
         window.click("section.accuracy")
         dump = window.wait(lambda d: d["state"].get("accuracy", {}).get("points") == 1
-                           and d["state"]["accuracy"]["state"] == "idle", "the live point")
+                           and d["state"]["accuracy"]["state"] == "idle", "the live point", seconds=180)
         self.assertGreater(float(dump["widgets"]["accuracy.shadow"]["value"]), 0.0)
         self.assertGreater(float(dump["widgets"]["accuracy.rmse"]["value"]), 0.0)
         self.assertRegex(dump["widgets"]["accuracy.ms"]["value"], r"^[0-9.]+ ms$")
