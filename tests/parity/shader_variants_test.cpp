@@ -270,8 +270,11 @@ void theFramesDrawnHadEveryVariant() {
             if (turns.empty())
                 has("techniques/exact/lookup.frag", joined({orthographic, "CACHE_STATIC=1", "STATIC_CASTERS_ONLY=1",
                                                             "DYNAMIC_TRIANGLES=1", "STATIC_TRIANGLES=1"}));
-            for (const std::string bias : {"", "DYNAMIC_BIAS=1"})
-                has("techniques/tsm/lookup.frag", joined({turns, orthographic, bias, "DYNAMIC_CASTERS=1"}));
+            for (const std::string radius : {"PCF_RADIUS=0", "PCF_RADIUS=1"})
+                for (const auto& [bias, times] :
+                     {std::pair{"", ""}, {"DYNAMIC_BIAS=1", ""}, {"DYNAMIC_BIAS=1", "BOTH_TIMES=1"}})
+                    has("techniques/tsm/lookup.frag",
+                        joined({turns, orthographic, bias, times, "DYNAMIC_CASTERS=1", radius}));
         }
         for (const std::string view : {"", "VIEW_VISIBILITY=1"})
             for (const std::string weights : {"", "SHUTTER_WEIGHTS=1"})
