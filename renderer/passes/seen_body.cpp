@@ -205,7 +205,9 @@ std::vector<glm::dvec3> sweptSeenBody(const FramePlan& plan) {
 
 double nearestSeen(const FramePlan& plan) {
     double nearest = std::numeric_limits<double>::infinity();
+    const bool moves = plan.motion.cameraMoves || plan.motion.movingTriangles > 0;
     for (const bool closes : {false, true}) {
+        if (closes && !moves) break;  // the same again
         const ViewEnd& camera = closes ? plan.camera.close : plan.camera.open;
         const std::vector<Plane> planes = pyramidOf(camera, 1.0).planes;
         const glm::dvec3 along = glm::normalize(camera.corner + 0.5 * (camera.right + camera.up));

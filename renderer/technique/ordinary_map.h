@@ -16,6 +16,7 @@ class OrdinaryMap {
     static float instantOf(const FramePlan& plan);
     void build(const TechniqueFrame& frame) { map_ = &frame.maps.atInstant(instantOf(frame.plan)); }
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) const;
+    int pcfRadius() const { return pcfRadius_; }
 
   private:
     float bias_{}, slopeBias_{};

@@ -51,24 +51,15 @@ void StaticShadow::build(const TechniqueFrame& frame) {
     fitted_->draw(frame.plan, frame.mesh, OrdinaryMap::instantOf(frame.plan), glm::mat3(mapFromPlane_));
 }
 
-void StaticShadow::drawLookup(const TechniqueFrame& frame) {
-    const gl::Program& program = programs_.get({"fitted shadow map lookup", "passes/fullscreen.vert",
-                                                "techniques/static/fitted_lookup.frag", frame.defines()});
-    program.use(gl::Inputs()
-                    .set("instant", OrdinaryMap::instantOf(frame.plan))
-                    .set("mapFromPlane", glm::mat3(mapFromPlane_))
-                    .set("planeFromMap", glm::mat3(glm::inverse(mapFromPlane_)))
-                    .texture("shadowMap", fitted_->depth()));
-    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    if (!target_) target_.emplace("fitted shadow map lookup target");
-    target_->setColorCount(1);
-    const gl::Texture& lit = frame.visibility.lit();
-    for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {
-        target_->attach(GL_COLOR_ATTACHMENT0, lit, static_cast<int>(stratum));
-        target_->bindForDrawing(lit.width(), lit.height());
-        program.set("stratum", stratum);
-        frame.fullscreen.draw(program);
-    }
+LookupProgram StaticShadow::lookupProgram(const TechniqueFrame& frame, Casters casters) {
+    if (fit() == MapFit::Light) return map_.lookupProgram(frame, casters);
+    LookupProgram lookup{"fitted shadow map lookup", "techniques/static/fitted_lookup.frag", {}, {}};
+    lookup.defines.emplace_back("PCF_RADIUS", fmt::format("{}", map_.pcfRadius()));
+    lookup.inputs.set("instant", OrdinaryMap::instantOf(frame.plan))
+        .set("mapFromPlane", glm::mat3(mapFromPlane_))
+        .set("planeFromMap", glm::mat3(glm::inverse(mapFromPlane_)))
+        .texture("shadowMap", fitted_->depth());
+    return lookup;
 }
 
 std::vector<const gl::Texture*> StaticShadow::textures() const {

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "gl/framebuffer.h"
 #include "passes/map_fit.h"
 #include "passes/shadow_map.h"
 #include "technique/ordinary_map.h"
@@ -26,12 +25,9 @@ class StaticShadow final : public Technique {
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     std::vector<std::string> warnings(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
-    LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override {
-        return map_.lookupProgram(frame, casters);
-    }
-    /// What is cached of a lookup belongs to one map. A fitted one changes with all that the camera sees.
-    bool hasOwnLookup() const override { return fit() != MapFit::Light; }
-    void drawLookup(const TechniqueFrame& frame) override;
+    /// A fitted map holds all casters.
+    bool separatesStaticCasters() const override { return fit() == MapFit::Light; }
+    LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override { return fitted_ ? fitted_->bytes() : 0; }
 
@@ -42,7 +38,6 @@ class StaticShadow final : public Technique {
     OrdinaryMap map_;
     int fit_{};
     std::optional<ShadowMap> fitted_;
-    std::optional<gl::Framebuffer> target_;
     glm::dmat3 mapFromPlane_{1.0};  ///< of the map drawn last
 };
 

@@ -105,7 +105,6 @@ std::vector<PassDecision> TemporalShadow::passes(const FramePlan& plan) const {
 void TemporalShadow::build(const TechniqueFrame& frame) {
     const LightMotion& motion = frame.plan.casters;
     staticCasters_ = asPublished_ ? 0 : motion.staticCasters.size();
-    moving_ = listed(frame.plan).size();
     nonTranslating_ = motion.nonTranslating;
     const bool otherForm = builtAsPublished_ != asPublished_;
     builtAsPublished_ = asPublished_;
@@ -116,6 +115,7 @@ void TemporalShadow::build(const TechniqueFrame& frame) {
     }
     near_.set(motion.nearPlane);
     const std::vector<std::uint32_t> triangles = listed(frame.plan);
+    moving_ = triangles.size();
     if (otherForm || triangles.empty()) lists_.reset();  // first, so that both forms need not fit at once
     builtWithCoverage_ = coverageMap_;
     if (!triangles.empty()) buildLists(frame, triangles);

@@ -1,5 +1,6 @@
 // As passes/shadow_map_lookup.frag, against a map that is fitted to what the camera sees.
 #include "lib/lookup.glsl"
+#include "lib/pcf.glsl"
 #include "lib/warped_map.glsl"
 
 uniform sampler2DArray shadowMap;
@@ -16,13 +17,10 @@ float litByTexel(WarpedPoint p, ivec2 texel, float depth) {
 
 float litOf(MovingTriangle t, Receiver r) {
     WarpedPoint p = warpedPointOf(pointAt(t, r.triangle, r.barycentrics, instant), instant, mapFromPlane);
-    int radius = setting.pcf_radius, side = 2 * radius + 1;
-    float depth = p.m.depth - depthBias(p.m, setting.bias, setting.slope_bias * float(side));
+    float depth = pcfDepth(p.m, setting.bias, setting.slope_bias), lit = 0.0;
     ivec2 texel = ivec2(floor(p.texel));
-    float lit = 0.0;
-    for (int y = -radius; y <= radius; ++y)
-        for (int x = -radius; x <= radius; ++x) lit += litByTexel(p, texel + ivec2(x, y), depth);
-    return lit / float(side * side);
+    for (int i = 0; i < pcfTests; ++i) lit += litByTexel(p, texel + pcfOffset(i), depth);
+    return lit / float(pcfTests);
 }
 
 #include "lib/lookup_main.glsl"

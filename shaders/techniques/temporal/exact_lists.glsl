@@ -8,7 +8,7 @@ uniform usamplerBuffer tupleIds;
 #endif
 
 // Is a triangle other than the receiver's own nearer to the light than `depth`, in this texel at this time?
-bool nearerThan(float depth, ivec2 texel, uint own, float time) {
+bool nearerThan(MapPoint m, float depth, ivec2 texel, uint own, float time) {
 #ifdef COVERAGE_MAP
     if (depth > coverageDistance(texel)) return true;
 #endif

@@ -1,45 +1,9 @@
 // Temporal shadow maps: is a moving triangle between the receiver and the light at the receiver's own time? For each
 // tuple of the texel that holds that time, the distance then is interpolated between the tuple's ends (Hong and Oh
-// 2017, "Lighting pass"). Repaired, static triangles are tested once, in an ordinary map, and those that cross the
-// light's near plane one by one, exactly.
+// 2017, "Lighting pass").
 //
 // AS_PUBLISHED: the published form's lists. COVERAGE_MAP: with its coverage map.
-// STATIC_TRIANGLES, DYNAMIC_TRIANGLES, NEAR_TRIANGLES: there are such. PCF_RADIUS: as in lib/pcf.glsl.
 #include "lib/lookup.glsl"
-#include "lib/pcf.glsl"
 #include "techniques/temporal/lists.glsl"
-#ifdef NEAR_TRIANGLES
-#include "lib/near_triangles.glsl"
-uniform int nearCount;
-#endif
 
-#ifdef STATIC_TRIANGLES
-uniform sampler2DArray staticMap;
-#endif
-
-bool shadowedInTexel(MapPoint m, float depth, Receiver r) {
-    ivec2 texel;
-    if (!texelOf(m, texel)) return false;
-#ifdef STATIC_TRIANGLES
-    if (depth > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return true;
-#endif
-#if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
-    if (nearerThan(depth, texel, r.triangle, r.time)) return true;
-#endif
-    return false;
-}
-
-float litOf(MovingTriangle t, Receiver r) {
-    MapPoint m = mapPointOf(r, r.time);
-    float bias = setting.as_published ? setting.published_bias : setting.bias;
-    bool unbiased = setting.as_published && bias == 0.0;
-    float depth = unbiased ? m.depth : pcfDepth(m, bias, setting.slope_bias), lit = 0.0;
-    for (int i = 0; i < pcfTests; ++i)
-        lit += shadowedInTexel(movedByTexels(m, pcfOffset(i)), depth, r) ? 0.0 : 1.0;
-#if defined(NEAR_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
-    if (lit > 0.0 && shadowedByNearTriangles(r, nearCount)) return 0.0;
-#endif
-    return lit / float(pcfTests);
-}
-
-#include "lib/lookup_main.glsl"
+#include "lib/interval_lookup.glsl"

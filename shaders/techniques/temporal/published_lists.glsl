@@ -10,7 +10,7 @@ uniform sampler2DArray coverageMap;
 uint headOf(ivec2 texel) { return texelFetch(tupleHeads, listNumber(texel)).x; }
 
 // Is a triangle other than the receiver's own nearer to the light than `depth`, in this texel at this time?
-bool nearerThan(float depth, ivec2 texel, uint own, float time) {
+bool nearerThan(MapPoint m, float depth, ivec2 texel, uint own, float time) {
 #ifdef COVERAGE_MAP
     float covered = texelFetch(coverageMap, ivec3(texel, 0), 0).x;
     if (covered == float(own)) return false;
