@@ -56,6 +56,11 @@ def read_ppm(data):
     return Picture(int(fields[1]), int(fields[2]), data[at:])
 
 
+def shown(dump, widget):
+    """The widget's value; empty in a frame that does not lay it out."""
+    return dump["widgets"].get(widget, {}).get("value", "")
+
+
 class ClientMessage(ctypes.Structure):
     """Xlib's XClientMessageEvent, padded to the size of its XEvent."""
 

@@ -6,7 +6,7 @@ import shutil
 import struct
 import tempfile
 
-from desk import PANEL_WIDTH, QUICK, WindowTest, headless, pixels, run_tests
+from desk import PANEL_WIDTH, QUICK, WindowTest, headless, pixels, run_tests, shown
 
 
 class Layout(WindowTest):
@@ -22,7 +22,7 @@ class Layout(WindowTest):
         self.assertFalse(window.widget("section.plan")["value"])
         window.click("section.plan")
         window.click("section.camera")
-        window.wait(lambda d: d["widgets"]["section.plan"]["value"] and not d["widgets"]["section.camera"]["value"],
+        window.wait(lambda d: shown(d, "section.plan") and shown(d, "section.camera") is False,
                     "the sections")
         window.choose("text.size", "125 %")
         window.wait(lambda d: d["state"]["scale"] == 1.25, "larger text")
@@ -181,7 +181,7 @@ class Settings(WindowTest):
         self.assertGreater(window.drag_slider("tsm.bias", 0.97), bias)
         self.assertGreater(window.look_at_picture().share_different(before), 0.005)
         window.click("tsm.bias.reset")
-        window.wait(lambda dump: dump["widgets"]["tsm.bias"]["value"] == bias, "the default")
+        window.wait(lambda dump: shown(dump, "tsm.bias") == bias, "the default")
         window.settle()
         self.assertEqual(window.look_at_picture().share_different(before, 0), 0,
                          "the same settings give the same picture")
@@ -196,9 +196,9 @@ class Settings(WindowTest):
         self.assertGreater(window.look_at_picture().share_different(plain), 0.005)
         self.assertNotIn("shutter.width", window.wait(lambda dump: True, "a dump")["widgets"], "a tent has none")
         window.choose("map", "128 × 128")
-        window.wait(lambda dump: "map 128" in dump["widgets"]["status"]["value"], "the other map")
+        window.wait(lambda dump: "map 128" in shown(dump, "status"), "the other map")
         window.choose("tsm.dynamic_bias", "both_times")
-        window.wait(lambda dump: dump["widgets"]["tsm.dynamic_bias"]["value"] == "both_times", "the choice")
+        window.wait(lambda dump: shown(dump, "tsm.dynamic_bias") == "Both times", "the choice")
         self.assertEqual(window.settle()["state"]["picture"], "complete")
         self.close(window)
 
@@ -269,7 +269,7 @@ class Settings(WindowTest):
         window.type("./broken.glb")
         window.key("Return")
         dump = window.wait(lambda d: "scene.error" in d["widgets"], "the reason")
-        self.assertIn("broken.glb", dump["widgets"]["scene.error"]["value"])
+        self.assertIn("broken.glb", shown(dump, "scene.error"))
         self.assertEqual(window.settle()["state"]["scene"], "chess")
         self.close(window)
 

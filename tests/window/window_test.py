@@ -5,7 +5,7 @@ import subprocess
 import time
 import unittest
 
-from desk import PANEL_WIDTH, PROGRAM, QUICK, WindowTest, headless, run_tests
+from desk import PANEL_WIDTH, PROGRAM, QUICK, WindowTest, headless, run_tests, shown
 
 
 class Time(WindowTest):
@@ -151,7 +151,7 @@ class Motion(WindowTest):
         done = window.settle(picture="cancelled")["state"]["renders"]
         self.assertLess(done[0], 4096)
         self.assertIn(f"{done[0]} of 4096",
-                      window.wait(lambda d: "Stopped" in d["widgets"]["progress"]["value"],
+                      window.wait(lambda d: "Stopped" in shown(d, "progress"),
                                   "the word")["widgets"]["progress"]["value"])
         window.click("continue")
         window.wait(lambda dump: dump["state"]["renders"][0] > done[0] and dump["state"]["picture"] == "drawing",
