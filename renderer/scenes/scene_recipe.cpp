@@ -1,6 +1,8 @@
 #include "scenes/scene_recipe.h"
 
+#include "scenes/crossing.h"
 #include "scenes/cubes.h"
+#include "scenes/depths.h"
 #include "scenes/frusta.h"
 #include "scenes/rising.h"
 #include "scenes/sphere.h"
@@ -15,6 +17,8 @@ std::vector<std::unique_ptr<SceneRecipe>> allRecipes() {
     recipes.push_back(std::make_unique<Rising>());
     recipes.push_back(std::make_unique<Frusta>());
     recipes.push_back(std::make_unique<Sphere>());
+    recipes.push_back(std::make_unique<Crossing>());
+    recipes.push_back(std::make_unique<Depths>());
     return recipes;
 }
 

@@ -46,6 +46,11 @@ glm::dmat3 turnAbout(const glm::dvec3& axis, double angle) {
     return c * glm::dmat3(1.0) + s * cross + (1.0 - c) * glm::outerProduct(axis, axis);
 }
 
+double backAndForth(double phase) {
+    const double share = phase - std::floor(phase);
+    return 2.0 * std::min(share, 1.0 - share);
+}
+
 Circle Circle::withChord(double chord, double wantedRadius, int frames) {
     if (!(chord > 0.0)) return {};
     const double angle = 2.0 * std::asin(std::min(1.0, chord / (2.0 * wantedRadius)));

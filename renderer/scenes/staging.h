@@ -28,6 +28,9 @@ std::function<CameraPose(double)> staticCamera(const glm::dvec3& eye, const glm:
 /// The rotation by an angle (radians) about a unit vector.
 glm::dmat3 turnAbout(const glm::dvec3& axis, double angle);
 
+/// Uniform motion there and back: rises from 0 to 1 while phase goes from 0 to 1/2, sinks again until 1, and repeats.
+double backAndForth(double phase);
+
 /// Uniform motion on a circle, `rounds` times in a scene's duration.
 struct Circle {
     int rounds = 0;  ///< 0: static, at the centre

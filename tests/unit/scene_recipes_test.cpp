@@ -53,7 +53,7 @@ std::size_t openEdges(const MotionMesh& mesh, std::uint32_t instance) {
 }
 
 TEST(SceneRecipes, EveryDeclarationIsWhole) {
-    ASSERT_EQ(recipeDescriptions().size(), 4u);
+    ASSERT_EQ(recipeDescriptions().size(), 6u);
     EXPECT_EQ(makeRecipe("nonsense"), nullptr);
     for (const RecipeDescription& description : recipeDescriptions()) {
         const std::unique_ptr<SceneRecipe> recipe = makeRecipe(description.name);
@@ -97,8 +97,9 @@ TEST(SceneRecipes, StayInBoundsAreClosedAndRepeat) {
         }
         const MotionMesh mesh = frameOf(*scene, 3.0, 1.0);
         EXPECT_GT(openEdges(mesh, 0), 0u) << "the ground is a plane, so the count of open edges counts";
+        const bool hasQuads = description.name == "crossing" || description.name == "depths";
         for (std::uint32_t instance = 1; instance < std::min<std::size_t>(mesh.topology->instanceCount, 40); ++instance)
-            EXPECT_EQ(openEdges(mesh, instance), 0u) << "instance " << instance;
+            EXPECT_EQ(openEdges(mesh, instance), hasQuads ? 8u : 0u) << "four sides, in both directions: " << instance;
     }
 }
 
@@ -161,6 +162,68 @@ TEST(SceneRecipes, OnlyTheCameraOfTheFrustaMoves) {
     // They face one another.
     const glm::dvec3 light = scene->light(0.0).axes[2], camera = scene->camera(0, 0.0).axes[2];
     EXPECT_LT(glm::dot(light, camera), -0.8);
+}
+
+/// The centre of one of the quads of `crossing` and `depths`, at both ends of the shutter.
+std::array<glm::dvec3, 2> centres(const MotionMesh& mesh, std::uint32_t instance) {
+    std::array<glm::dvec3, 2> sum{glm::dvec3(0.0), glm::dvec3(0.0)};
+    const std::size_t ofGround = mesh.positionsOpen.size() - 8;  // two quads of four vertices stand last
+    for (std::size_t v = ofGround + 4 * (instance - 1); v < ofGround + 4 * instance; ++v) {
+        sum[0] += 0.25 * mesh.positionsOpen[v];
+        sum[1] += 0.25 * mesh.positionsClose[v];
+    }
+    return sum;
+}
+
+TEST(SceneRecipes, TheQuadsCrossOnOneRayOfTheLight) {
+    for (const char* angle : {"0", "90", "180"}) {
+        SCOPED_TRACE(angle);
+        const std::unique_ptr<Scene> scene =
+            made("crossing", {{"angle", angle}, {"speed", "0.5"}, {"distance", "1.5"}});
+        const double frame = scene->defaults().frame;
+        const MotionMesh mesh = frameOf(*scene, frame, 1.0);
+        const auto lower = centres(mesh, 1), upper = centres(mesh, 2);
+        const glm::dvec3 lowerWay = lower[1] - lower[0], upperWay = upper[1] - upper[0];
+        EXPECT_NEAR(glm::length(lowerWay), 0.5 * 2.4, 1e-12);
+        EXPECT_NEAR(glm::length(upperWay), 0.5 * 2.4, 1e-12);
+        EXPECT_NEAR(glm::dot(lowerWay, upperWay) / (1.2 * 1.2), std::cos(glm::radians(std::atof(angle))), 1e-12);
+        EXPECT_NEAR(upper[0].y - lower[0].y, 1.5 * 2.4, 1e-12);
+        // At the centre of the frame both shadow the origin.
+        for (const auto& ends : {lower, upper}) {
+            const glm::dvec3 light = scene->light(0.0).position, middle = 0.5 * (ends[0] + ends[1]);
+            EXPECT_LT(glm::length(glm::cross(glm::normalize(middle), glm::normalize(light))), 1e-12);
+        }
+        // The motion of the frames beside it is the same: the default frame is inside of it.
+        for (const double other : {frame - 1.0, frame - 0.5, frame + 1.0}) {
+            const auto ends = centres(frameOf(*scene, other, 1.0), 1);
+            EXPECT_LT(glm::length(ends[1] - ends[0] - lowerWay), 1e-12) << other;
+        }
+    }
+    EXPECT_EQ(made("crossing", {{"speed", "0"}})->duration(), 0.0);
+}
+
+TEST(SceneRecipes, TheQuadsOfDepthsMoveAlongTheLightsRaysAndNeverTouch) {
+    const std::unique_ptr<Scene> scene = made("depths");
+    const glm::dvec3 light = scene->light(0.0).position;
+    const MotionMesh mesh = frameOf(*scene, scene->defaults().frame, 1.0);
+    for (const std::uint32_t quad : {1u, 2u}) {
+        const auto ends = centres(mesh, quad);
+        const glm::dvec3 way = ends[1] - ends[0];
+        EXPECT_NEAR(glm::length(way), 0.7 * 2.0, 1e-7) << "0.7 is no float";
+        EXPECT_NEAR(glm::dot(glm::normalize(way), glm::normalize(light - ends[0])), quad == 1 ? 1.0 : -1.0, 1e-12);
+        EXPECT_TRUE(quad == 2 || ends[0].y < glm::length(way)) << "moves farther than its gap to the ground";
+        const auto later = centres(frameOf(*scene, scene->defaults().frame + 0.25, 1.0), quad);
+        EXPECT_LT(glm::length(later[1] - later[0] - way), 1e-12) << "the default frame is inside of the motion";
+    }
+    const std::unique_ptr<Scene> fast = made("depths", {{"speed", "1"}, {"distance", "0.05"}});
+    for (double frame = 0.0; frame < 3.0; frame += 0.25) {
+        const MotionMesh now = frameOf(*fast, frame, 0.0);
+        EXPECT_GT(centres(now, 1)[0].y, 0.1);
+        EXPECT_GT(centres(now, 2)[0].y - centres(now, 1)[0].y, 0.099);
+    }
+    const std::unique_ptr<Scene> high = made("depths", {{"speed", "1"}, {"distance", "0.8"}});
+    EXPECT_LT(high->bounds().high.y, high->light(0.0).position.y) << "the light is above everything";
+    EXPECT_EQ(made("depths", {{"speed", "0"}})->duration(), 0.0);
 }
 
 TEST(SceneRecipes, TheStoneIsConvex) {
