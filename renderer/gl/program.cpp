@@ -134,7 +134,7 @@ void Program::findUniforms(const std::set<std::string>& bound) {
         glGetUniformiv(name(), uniform.location, &current);
         if (bound.count(text) == 0) {
             current = uniform.image ? image++ : unit++;
-            if (!uniform.image) glProgramUniform1i(name(), uniform.location, current);
+            glProgramUniform1i(name(), uniform.location, current);
         }
         uniform.unit = static_cast<GLuint>(current);
     }
