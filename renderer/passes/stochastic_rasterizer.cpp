@@ -16,6 +16,7 @@ gl::ShaderDefines definesFor(const ViewPlan& view, StochasticRasterizer::Role ro
     if (output == StochasticRasterizer::Output::TriangleId) defines.emplace_back("OUTPUT_ID", "1");
     if (output == StochasticRasterizer::Output::DepthRate) defines.emplace_back("OUTPUT_DEPTH_RATE", "1");
     if (output == StochasticRasterizer::Output::DepthVelocity) defines.emplace_back("OUTPUT_DEPTH_VELOCITY", "1");
+    if (output == StochasticRasterizer::Output::Motion) defines.emplace_back("OUTPUT_MOTION", "1");
     return defines;
 }
 

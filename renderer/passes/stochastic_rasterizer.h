@@ -19,8 +19,9 @@ class StochasticRasterizer {
     enum class Output {
         TriangleId,
         DepthOnly,
-        DepthRate,     ///< and how fast the depth changes that a pixel sees of the triangle, per u
-        DepthVelocity  ///< and how fast that of the point changes that it sees
+        DepthRate,      ///< and how fast the depth changes that a pixel sees of the triangle, per u
+        DepthVelocity,  ///< and how fast that of the point changes that it sees
+        Motion          ///< and in rgb how fast that point moves in view coordinates, per u; in a the sample's time
     };
 
     explicit StochasticRasterizer(gl::ProgramCache& programs);

@@ -4,6 +4,7 @@
 // OUTPUT_ID: write the triangle's number. OUTPUT_DYNAMIC_PIXELS: and 1 where a triangle is seen in any stratum.
 // OUTPUT_DEPTH_RATE: write how fast the depth changes that this pixel sees of the triangle.
 // OUTPUT_DEPTH_VELOCITY: write how fast the depth changes of the point of the triangle that it sees.
+// OUTPUT_MOTION: write how fast that point moves in view coordinates, and the sample's time.
 #include "lib/blocks.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
@@ -32,6 +33,8 @@ layout(location = 1) out float outputDynamicPixel;
 #endif
 #elif defined(OUTPUT_DEPTH_RATE) || defined(OUTPUT_DEPTH_VELOCITY)
 layout(location = 0) out float outputDepthChange;
+#elif defined(OUTPUT_MOTION)
+layout(location = 0) out vec4 outputMotion;
 #endif
 
 struct Sample {
@@ -125,5 +128,8 @@ void main() {
     outputDepthChange = depthRate(v, s);
 #elif defined(OUTPUT_DEPTH_VELOCITY)
     outputDepthChange = dot(e, vec3(close0.z - open0.z, close1.z - open1.z, close2.z - open2.z)) / sum;
+#elif defined(OUTPUT_MOTION)
+    vec3 motion = e.x * (close0 - open0.xyz) + e.y * (close1 - open1) + e.z * (close2 - open2);
+    outputMotion = vec4(motion / sum, s.u);
 #endif
 }
