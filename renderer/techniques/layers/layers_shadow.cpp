@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "technique/technique_entry.h"
+#include "techniques/layers/layers_prediction.h"
 
 namespace timeshade {
 
@@ -73,7 +74,10 @@ SamplingTraits LayersShadow::samplingTraits() const {
             .biasTexels = static_cast<double>(bias_)};
 }
 
-std::shared_ptr<const Prediction> LayersShadow::prediction() const { return Technique::prediction(); }
+std::shared_ptr<const Prediction> LayersShadow::prediction() const {
+    return std::make_shared<LayersPrediction>(LayersPrediction::Options{
+        optionsOf(), equation9Alone_, neighbourTiles_, strata_, static_cast<double>(bias_)});
+}
 
 std::uint32_t LayersShadow::strataOf(const FramePlan& plan) const {
     return strata_ > 0 ? static_cast<std::uint32_t>(strata_) : plan.block.strata;

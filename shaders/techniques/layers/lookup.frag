@@ -17,6 +17,7 @@ uniform float sampleLength;  // of a stratum of the map, u
 
 const int mostTaps = 16;
 const int mostRings = 3;
+const float darkEnough = 1e-3;  // layers behind are then not asked: the largest error of leaving them out
 
 ivec2 tileOf(vec2 position, uint salt) {
     ivec2 last = (ivec2(lightView.size) + TILE - 1) / TILE - 1;
@@ -63,8 +64,11 @@ vec4 filteredTuple(ivec2 tile, int number, vec2 a, vec2 b) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < taps; ++i) {
         vec2 g = clamp(mix(a, b, (float(i) + 0.5) / float(taps)), vec2(0.5), vec2(float(GRID) - 0.5));
-        vec2 at = (vec2(tile * GRID) + g) / vec2(textureSize(grids, 0).xy);
-        sum += textureLod(grids, vec3(at, float(number)), 0.0);
+        vec2 f = fract(g - 0.5);
+        ivec2 cell = ivec2(floor(g - 0.5));
+        vec4 low = mix(cellAt(tile, number, cell), cellAt(tile, number, cell + ivec2(1, 0)), f.x);
+        vec4 high = mix(cellAt(tile, number, cell + ivec2(0, 1)), cellAt(tile, number, cell + ivec2(1, 1)), f.x);
+        sum += mix(low, high, f.y);
     }
     sum /= float(taps);
     // Widened until it holds a sample.
@@ -95,24 +99,35 @@ float visibilityThrough(ivec2 tile, int number, Layer layer, Place p, Place firs
     return 1.0 - sums.z / sums.w * (1.0 - v);
 }
 #else
-// What a cell says of the receiver: its visibility and its weight.
-vec2 cellTest(ivec2 tile, int number, Layer layer, Grid grid, ivec2 cell, Place p, float bias) {
-    vec4 sums = cellAt(tile, number, cell);
-    if (sums.w <= 0.0) return vec2(0.0);
-    if (sums.z <= 0.0) return vec2(sums.w, sums.w);
-    // The receiver's plane where the cell is at the receiver's time.
-    float later = 0.5 - p.u;
-    vec2 at = tileCentre(tile) + movedBack(layer, fromGrid(grid, vec2(clamp(cell, ivec2(0), ivec2(GRID - 1))) + 0.5),
-                                           later);
-    float depth = p.depth + dot(p.slope, at - p.position) + later * layer.rate - bias;
+// The receiver's plane over the cells of a layer's grid: what depth at the middle of the shutter is compared there.
+struct PlaneOverGrid {
+    float depth;  // at the corner of cell (0, 0)
+    vec2 slope;   // per cell
+};
+
+// At the receiver's time the cells are where the layer's points come from.
+PlaneOverGrid planeOverGrid(ivec2 tile, Layer layer, Grid grid, Place p, float bias) {
+    float later = 0.5 - p.u, shrink = 1.0 / (1.0 - layer.expansion * later);
+    vec2 across = vec2(-grid.along.y, grid.along.x);
+    vec2 corner = tileCentre(tile) + movedBack(layer, fromGrid(grid, vec2(0.0)), later);
+    PlaneOverGrid plane;
+    plane.depth = p.depth + dot(p.slope, corner - p.position) + later * layer.rate - bias;
+    plane.slope = vec2(dot(p.slope, grid.along), dot(p.slope, across)) * shrink / grid.scale;
+    return plane;
+}
+
+// What a cell says of the receiver: its visibility times its weight, and its weight.
+vec2 cellTest(ivec2 tile, int number, Layer layer, ivec2 cell, PlaneOverGrid plane) {
+    cell = clamp(cell, ivec2(0), ivec2(GRID - 1));
+    vec4 sums = texelFetch(grids, ivec3(tile * GRID + cell, number), 0);
+    float depth = plane.depth + dot(plane.slope, vec2(cell) + 0.5);
     float visible = depth < layer.low ? 1.0 : 0.0;
-    if (depth >= layer.low && depth <= layer.high) {
+    if (sums.z > 0.0 && depth >= layer.low && depth <= layer.high) {
         vec2 moments = sums.xy / sums.z;
         float middle = 0.5 * (layer.low + layer.high), least = 1e-6 * depth;
         float fromMiddle = depth - middle;
-        visible = fromMiddle <= moments.x
-                      ? 1.0
-                      : chebyshev(fromMiddle, moments.x, max(moments.y - moments.x * moments.x, least * least));
+        float variance = max(moments.y - moments.x * moments.x, least * least);
+        visible = fromMiddle <= moments.x ? 1.0 : chebyshev(fromMiddle, moments.x, variance);
     }
     return vec2(sums.w - sums.z * (1.0 - visible), sums.w);
 }
@@ -128,25 +143,28 @@ float visibilityThrough(ivec2 tile, int number, Layer layer, Place p, Place firs
         float share = (float(i) + 0.5) / float(taps);
         Place q = Place(mix(first.u, last.u, share), mix(first.position, last.position, share),
                         mix(first.depth, last.depth, share), p.slope);
+        PlaneOverGrid plane = planeOverGrid(tile, layer, grid, q, bias);
         vec2 g = clamp(mix(a, b, share), vec2(0.5), vec2(float(GRID) - 0.5)) - 0.5;
         vec2 f = fract(g);
         ivec2 cell = ivec2(floor(g));
         float weight = shutterWeight(frame.response, frame.responseWidth, q.u);
         vec4 w = weight * vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
-        sum += w.x * cellTest(tile, number, layer, grid, cell, q, bias);
-        sum += w.y * cellTest(tile, number, layer, grid, cell + ivec2(1, 0), q, bias);
-        sum += w.z * cellTest(tile, number, layer, grid, cell + ivec2(0, 1), q, bias);
-        sum += w.w * cellTest(tile, number, layer, grid, cell + ivec2(1, 1), q, bias);
+        sum += w.x * cellTest(tile, number, layer, cell, plane);
+        sum += w.y * cellTest(tile, number, layer, cell + ivec2(1, 0), plane);
+        sum += w.z * cellTest(tile, number, layer, cell + ivec2(0, 1), plane);
+        sum += w.w * cellTest(tile, number, layer, cell + ivec2(1, 1), plane);
     }
     // Nothing there: the nearest cells that hold a sample. None within three: as if the layer were not there.
     ivec2 centre = ivec2(floor(0.5 * (a + b)));
-    for (int ring = 1; ring <= mostRings && sum.y <= 0.0; ++ring)
+    for (int ring = 1; ring <= mostRings && sum.y <= 0.0; ++ring) {
+        PlaneOverGrid plane = planeOverGrid(tile, layer, grid, p, bias);
         for (int y = -ring; y <= ring; ++y)
             for (int x = -ring; x <= ring; ++x) {
                 ivec2 cell = centre + ivec2(x, y);
                 bool inside = all(greaterThanEqual(cell, ivec2(0))) && all(lessThan(cell, ivec2(GRID)));
-                if (inside) sum += cellTest(tile, number, layer, grid, cell, p, bias);
+                if (inside) sum += cellTest(tile, number, layer, cell, plane);
             }
+    }
     return sum.y > 0.0 ? sum.x / sum.y : 1.0;
 }
 
@@ -189,6 +207,7 @@ float dynamicVisibility(MovingTriangle t, Receiver r, float u0, float u1, float 
         if (layer.spread > 6.0 + 2.0 * length(layer.motion)) return visibilityBySamples(t, r, bias);
 #endif
         visible *= visibilityThrough(tile, l, layer, p, first, last, bias);
+        if (visible < darkEnough) break;
     }
     return visible;
 }
