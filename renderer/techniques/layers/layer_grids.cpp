@@ -10,6 +10,13 @@ namespace timeshade {
 namespace {
 
 constexpr int mostLayers = 4;
+constexpr int blockSide = 4;  // layers/samples.glsl: BLOCK
+
+/// Over so many invocations, in groups of 8 x 8.
+void dispatchOver(int width, int height) {
+    glDispatchCompute(static_cast<GLuint>((width + 7) / 8), static_cast<GLuint>((height + 7) / 8), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
 
 }  // namespace
 
@@ -36,6 +43,10 @@ void LayerGrids::fit(const FramePlan& plan, const Options& options) {
         motion_ = gl::Texture::array2D("layer motions", GL_RGBA32F, tiles_.x, tiles_.y, mostLayers);
         depth_ = gl::Texture::array2D("layer depths", GL_RGBA32F, tiles_.x, tiles_.y, mostLayers);
     }
+    const glm::ivec2 blocks((size.width + blockSide - 1) / blockSide, (size.height + blockSide - 1) / blockSide);
+    if (!ranges_ || ranges_->width() != blocks.x || ranges_->height() != blocks.y) {
+        ranges_ = gl::Texture::array2D("depth ranges of blocks", GL_RG32F, blocks.x, blocks.y, 1);
+    }
     if (!grids_ || grids_->width() != cells.x || grids_->height() != cells.y || grids_->layers() != options.layers) {
         grids_.reset();  // first, so that both need not fit at once
         grids_ = gl::Texture::array2D("layer grids", GL_RGBA32F, cells.x, cells.y, options.layers);
@@ -54,14 +65,18 @@ void LayerGrids::build(const TechniqueFrame& frame, const Options& options, cons
     inputs.set("strata", samples.strata);
     {
         const auto timed = frame.timer.scope("build/layers");
+        gl::Inputs of = inputs;
+        of.texture("ranges", *ranges_);
+        programs_.get({.label = "blocks of samples", .defines = given, .compute = "techniques/layers/blocks.comp"})
+            .use(of);
+        dispatchOver(ranges_->width(), ranges_->height());
         gl::Inputs own = inputs;
-        own.texture("outputMotion", *motion_).texture("outputDepth", *depth_);
+        own.texture("outputMotion", *motion_).texture("outputDepth", *depth_).texture("blockRanges", *ranges_);
         own.set("layersWanted", static_cast<std::uint32_t>(options.layers));
         own.set("leastRun", options.asPublished ? 1u : 2u);
         programs_.get({.label = "layers of tiles", .defines = given, .compute = "techniques/layers/cluster.comp"})
             .use(own);
-        glDispatchCompute(static_cast<GLuint>((tiles_.x + 7) / 8), static_cast<GLuint>((tiles_.y + 7) / 8), 1);
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        dispatchOver(tiles_.x, tiles_.y);
     }
     const auto timed = frame.timer.scope("build/reprojection");
     if (options.filterAcross) given.emplace_back("V_FILTER", "1");
@@ -78,7 +93,7 @@ void LayerGrids::addInputs(gl::Inputs& inputs) const {
 
 std::vector<const gl::Texture*> LayerGrids::textures() const {
     if (!grids_) return {};
-    return {&*motion_, &*depth_, &*grids_};
+    return {&*motion_, &*depth_, &*ranges_, &*grids_};
 }
 
 std::size_t LayerGrids::bytes() const {

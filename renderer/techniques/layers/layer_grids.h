@@ -49,7 +49,7 @@ class LayerGrids {
 
     gl::ProgramCache& programs_;
     glm::ivec2 tiles_{0};
-    std::optional<gl::Texture> motion_, depth_, grids_;
+    std::optional<gl::Texture> motion_, depth_, ranges_, grids_;
 };
 
 }  // namespace timeshade

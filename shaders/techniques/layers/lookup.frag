@@ -191,6 +191,7 @@ float visibilityBySamples(MovingTriangle t, Receiver r, float bias) {
 float dynamicVisibility(MovingTriangle t, Receiver r, float u0, float u1, float bias) {
     Place p = placeOf(r, r.time);
     ivec2 tile = tileOf(p.position, stratum);
+    if (!layerOf(tile, 0).present) return 1.0;
 #ifdef AS_PUBLISHED
     // The receiver is taken to stand still, as the camera does, for the stratum's length around its own time.
     float around = 0.5 * (u1 - u0);

@@ -4,12 +4,16 @@
 uniform sampler2DArray sampleDepth;   // as the map stores it
 uniform sampler2DArray sampleMotion;  // rate of the point seen, in the light's view coordinates; time
 
+const int BLOCK = 4;  // texels; tiles and windows are made of whole blocks
+
 struct MapSample {
     bool empty;
     float depth;     // world units
     vec3 rate;       // in the light's view coordinates
     float toMiddle;  // time from the sample's to the middle of the shutter
 };
+
+bool isEmpty(ivec3 place) { return texelFetch(sampleDepth, place, 0).x <= 0.0; }
 
 MapSample sampleAt(ivec3 place) {
     MapSample s;
