@@ -75,11 +75,11 @@ void VisibilityMap::compress(const TechniqueFrame& frame, const StochasticRaster
     lists_.bindCursors();
     if (fill) nodes_.bindForWriting(DEEP_NODES_BINDING);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, DEEP_COUNTS_BINDING, counts_.name());
-    program.use(gl::Inputs()
-                    .texture("samples", *samples_)
-                    .set("times", strata.count)
-                    .set("timeLength", strata.length)
-                    .set("firstRow", firstRow));
+    gl::Inputs inputs;
+    inputs.texture("samples", *samples_).set("times", strata.count).set("timeLength", strata.length);
+    inputs.set("firstRow", firstRow);
+    if (fill) inputs.texture("nodeOffsets", lists_.offsets());
+    program.use(inputs);
     const std::size_t texels =
         static_cast<std::size_t>(samples_->width()) * static_cast<std::size_t>(samples_->height());
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);

@@ -21,6 +21,9 @@ uniform sampler2DArray samples;  // some rows of the map, a layer a time
 uniform uint times;
 uniform float timeLength;  // u; 0: there is but one instant
 uniform int firstRow;      // of the map that the samples hold
+#ifdef FILL
+uniform usamplerBuffer nodeOffsets;
+#endif
 
 vec2 seen[CAPACITY];  // distance, share of the exposure
 
@@ -88,11 +91,15 @@ void main() {
     ivec2 place = ivec2(index % uint(size.x), index / uint(size.x));
     uint cell = uint((firstRow + place.y) * size.x + place.x);
     if (place.y >= textureSize(samples, 0).y || firstRow + place.y >= size.y) return;
+#ifdef FILL
+    uint firstNode = texelFetch(nodeOffsets, int(cell)).x;
+    if (firstNode == texelFetch(nodeOffsets, int(cell) + 1).x) return;  // saw nothing: its times need not be read again
+#endif
     uint count = collect(place);
     if (count == 0u) return;
     sortSeen(count);
 #ifdef FILL
-    compress(count, listCursors[cell]);
+    compress(count, firstNode);
 #else
     uint nodes = compress(count, 0u);
     listCursors[cell] = nodes;
