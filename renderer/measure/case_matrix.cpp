@@ -12,13 +12,15 @@ namespace {
 
 using Times = SamplingTraits::Times;
 
-/// Its lit values are the same whatever the seed.
+/// Its lit values are the same whatever the seed, but for its stated error.
 bool isDeterministic(const ClosedFormCase& c, const TechniqueStatement& stated) {
+    // A mean over the shutter is no draw of 0 or 1: what the random times of casters change of it, the stated error
+    // bounds.
+    if (stated.footprint.time == Footprint::Time::Shutter) return true;
     if (stated.traits.times == Times::RandomInStratum) return false;
     if (stated.traits.times == Times::OneInstant || stated.renders > 1) return true;
-    // A mean over a stratum is the same for each of its samples, but how many of those see the receiver may vary.
-    return stated.footprint.time == Footprint::Time::Shutter ||
-           (stated.footprint.time == Footprint::Time::Stratum && c.seenTo - c.seenFrom == 1.0);
+    // A mean over a stratum, too, but how many of its samples see the receiver may vary.
+    return stated.footprint.time == Footprint::Time::Stratum && c.seenTo - c.seenFrom == 1.0;
 }
 
 /// Four standard errors of the mean of independent lit values, one from each stratum at a time.

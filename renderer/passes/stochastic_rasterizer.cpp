@@ -51,7 +51,7 @@ void StochasticRasterizer::upload(Uploaded& uploaded, const TriangleLists& lists
 void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
                                 std::initializer_list<const TriangleLists*> lists, Role role, Output output,
                                 const Strata& strata, const gl::Texture* color, const gl::Texture& depth,
-                                const Start* start) {
+                                const Start* start, int firstRow) {
     uploaded_.resize(lists.size());
     for (std::size_t i = 0; i < lists.size(); ++i) upload(uploaded_[i], *lists.begin()[i]);
     gl::ShaderDefines defines = definesFor(view, role, output);
@@ -82,12 +82,14 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
         if (color) target_.attach(GL_COLOR_ATTACHMENT0, *color, layer);
         target_.attach(GL_DEPTH_ATTACHMENT, depth, depthLayer);
         target_.bindForDrawing(depth.width(), depth.height());
+        glViewport(0, -firstRow, depth.width(), static_cast<GLsizei>(view.block.size.y));
         if (!start) clear(output, color != nullptr);
         for (const Uploaded& list : uploaded_) {
             if (list.smallCount > 0) {
                 points.use();
                 points.set("stratum", stratum);
                 points.set("stratumLength", strata.length);
+                points.set("firstRow", firstRow);
                 glVertexArrayElementBuffer(mesh.trianglesAsVertices().name(), list.small->name());
                 glBindVertexArray(mesh.trianglesAsVertices().name());
                 glDrawElements(GL_POINTS, static_cast<GLsizei>(list.smallCount), GL_UNSIGNED_INT, nullptr);
@@ -96,6 +98,7 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
                 rectangles.use();
                 rectangles.set("stratum", stratum);
                 rectangles.set("stratumLength", strata.length);
+                rectangles.set("firstRow", firstRow);
                 list.largeView->bind(LARGE_TRIANGLES_UNIT);
                 glBindVertexArray(none_.name());
                 glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.largeCount));

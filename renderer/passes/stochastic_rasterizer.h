@@ -44,11 +44,12 @@ class StochasticRasterizer {
 
     /// Draws the lists in turn. `color` (one layer a stratum, if the output has one) and `depth` (one layer a stratum,
     /// or one layer used for every stratum in turn) are cleared first, or take what `start` has. Depth is reversed:
-    /// near / distance under perspective, 1 - distance / far when orthographic, 0 where nothing is. The frame's
-    /// uniforms and the mesh must be bound.
+    /// near / distance under perspective, 1 - distance / far when orthographic, 0 where nothing is. The textures are
+    /// as wide as the view; they may hold fewer rows of it, those from `firstRow` on, and any of theirs beyond its last
+    /// stay empty. The frame's uniforms and the mesh must be bound.
     void draw(const GpuMesh& mesh, const ViewPlan& view, std::initializer_list<const TriangleLists*> lists, Role role,
               Output output, const Strata& strata, const gl::Texture* color, const gl::Texture& depth,
-              const Start* start = nullptr);
+              const Start* start = nullptr, int firstRow = 0);
 
     std::size_t bytes() const;
 

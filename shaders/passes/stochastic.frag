@@ -17,6 +17,7 @@
 
 uniform uint stratum;
 uniform float stratumLength;  // u
+uniform int firstRow;         // of the view that the target holds
 
 flat in vec4 open0;
 flat in vec3 open1;
@@ -97,7 +98,7 @@ float depthRate(Vertices v, Sample s) {
 #endif
 
 void main() {
-    Sample s = sampleOf(uvec2(gl_FragCoord.xy));
+    Sample s = sampleOf(uvec2(gl_FragCoord.xy) + uvec2(0u, uint(firstRow)));
     Vertices v = Vertices(mix(open0.xyz, close0, s.u), mix(open1, close1, s.u), mix(open2, close2, s.u));
     float rayLength;
     precise vec3 e = edgesOf(v, s, rayLength);

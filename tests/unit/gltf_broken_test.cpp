@@ -158,7 +158,7 @@ TEST(BrokenGltf, DeepChainsOfNodesWork) {
     file.json["nodes"][depth - 1]["mesh"] = 0;
     file.json["scenes"] = Json::array({{{"nodes", {0}}}});
     const TemporaryFolder folder;
-    const auto scene = loadGltf(folder.write("deep.glb", file.glb()));
+    const auto scene = loadGltf(folder.write("chain.glb", file.glb()));
     EXPECT_NEAR(scene->bounds().low.x, 0.001 * depth, 1e-6);
 }
 

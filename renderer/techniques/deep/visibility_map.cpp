@@ -1,0 +1,107 @@
+#include "techniques/deep/visibility_map.h"
+
+#include <algorithm>
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "gl/dispatch.h"
+#include "techniques/deep/bindings.shared.h"
+
+namespace timeshade {
+
+namespace {
+
+/// As compress.comp counts them.
+struct DeviceCounts {
+    std::uint32_t hits = 0, texelsInUse = 0, mostNodes = 0;
+};
+
+}  // namespace
+
+VisibilityMap::VisibilityMap(gl::ProgramCache& programs, std::size_t maximumRawBytes)
+    : programs_(programs),
+      maximumRawBytes_(maximumRawBytes),
+      rasterizer_(programs),
+      lists_(programs),
+      nodes_("visibility nodes", GL_RG32F),
+      counts_("visibility counts", sizeof(DeviceCounts)) {}
+
+void VisibilityMap::build(const TechniqueFrame& frame, const StochasticRasterizer::Strata& strata) {
+    const MapSize size = frame.plan.request.mapSize;
+    const int layers = static_cast<int>(strata.count), rows = rowsAtOnce(size, strata.count);
+    if (!samples_ || MapSize(samples_->width(), samples_->height()) != MapSize(size.width, rows) ||
+        samples_->layers() != layers) {
+        samples_.reset();  // first, so that both need not fit at once
+        samples_ = gl::Texture::array2D("deep samples", GL_DEPTH_COMPONENT32F, size.width, rows, layers);
+    }
+    const DeviceCounts none;
+    glNamedBufferSubData(counts_.name(), 0, sizeof none, &none);
+    lists_.beginCount(size.texels());
+    drawAll(frame, strata, false);
+    nodeCount_ = lists_.scan();
+    nodes_.reserve(std::max<std::size_t>(nodeCount_, 1), "lower --map, or allow a greater deep.error");
+    drawAll(frame, strata, true);
+    CellLists::finishFill();
+}
+
+int VisibilityMap::rowsAtOnce(const MapSize& size, std::uint32_t times) const {
+    const std::size_t row = static_cast<std::size_t>(size.width) * times * sizeof(float),
+                      most = std::min(maximumRawBytes_ / row, static_cast<std::size_t>(size.height));
+    return std::max(static_cast<int>(most), 1);
+}
+
+void VisibilityMap::drawAll(const TechniqueFrame& frame, const StochasticRasterizer::Strata& strata, bool fill) {
+    const int height = frame.plan.request.mapSize.height, rows = samples_->height();
+    for (int firstRow = 0; firstRow < height; firstRow += rows) {
+        if (!fill || rows < height) {
+            const auto timed = frame.timer.scope("build/times");
+            rasterizer_.draw(frame.mesh, frame.plan.light, {&frame.plan.light.dynamicTriangles},
+                             StochasticRasterizer::Role::Light, StochasticRasterizer::Output::DepthOnly, strata,
+                             nullptr, *samples_, nullptr, firstRow);
+        }
+        const auto timed = frame.timer.scope("build/compress");
+        compress(frame, strata, firstRow, fill);
+    }
+}
+
+void VisibilityMap::compress(const TechniqueFrame& frame, const StochasticRasterizer::Strata& strata, int firstRow,
+                             bool fill) {
+    gl::ShaderDefines defines = frame.defines();
+    defines.emplace_back("CAPACITY", fmt::format("{}", std::bit_ceil(strata.count)));
+    if (fill) defines.emplace_back("FILL", "1");
+    const gl::Program& program =
+        programs_.get({.label = "deep compress", .defines = defines, .compute = "techniques/deep/compress.comp"});
+    lists_.bindCursors();
+    if (fill) nodes_.bindForWriting(DEEP_NODES_BINDING);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, DEEP_COUNTS_BINDING, counts_.name());
+    gl::Inputs inputs;
+    inputs.texture("samples", *samples_).set("times", strata.count).set("timeLength", strata.length);
+    inputs.set("firstRow", firstRow);
+    if (fill) inputs.texture("nodeOffsets", lists_.offsets());
+    program.use(inputs);
+    const std::size_t texels =
+        static_cast<std::size_t>(samples_->width()) * static_cast<std::size_t>(samples_->height());
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::dispatch(gl::groupsFor(texels, 64));
+}
+
+void VisibilityMap::addInputs(gl::Inputs& inputs) const {
+    inputs.texture("nodeOffsets", lists_.offsets()).texture("nodes", nodes_.texels());
+}
+
+VisibilityMapCounts VisibilityMap::counts() const {
+    DeviceCounts device;
+    glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
+    return {device.hits, device.texelsInUse, device.mostNodes, nodeCount_};
+}
+
+std::size_t VisibilityMap::functionBytes() const {
+    return (lists_.cells() + 1) * sizeof(std::uint32_t) + nodeCount_ * 2 * sizeof(float);
+}
+
+std::size_t VisibilityMap::bytes() const {
+    return rawBytes() + lists_.bytes() + nodes_.bytes() + counts_.bytes() + rasterizer_.bytes();
+}
+
+}  // namespace timeshade
