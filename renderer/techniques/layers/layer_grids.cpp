@@ -36,9 +36,10 @@ void LayerGrids::fit(const FramePlan& plan, const Options& options) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     if (cells.x > most || cells.y > most)
-        throw LimitError(fmt::format("the layers' grids need {} x {} texels, this device's GL_MAX_TEXTURE_SIZE is {}: "
-                                     "lower --map",
-                                     cells.x, cells.y, most));
+        throw LimitError(
+            fmt::format("the layers' grids need {} x {} texels, this device's GL_MAX_TEXTURE_SIZE is {}: "
+                        "lower --map",
+                        cells.x, cells.y, most));
     if (!motion_ || motion_->width() != tiles_.x || motion_->height() != tiles_.y) {
         motion_ = gl::Texture::array2D("layer motions", GL_RGBA32F, tiles_.x, tiles_.y, mostLayers);
         depth_ = gl::Texture::array2D("layer depths", GL_RGBA32F, tiles_.x, tiles_.y, mostLayers);

@@ -22,7 +22,7 @@ class LayerGrids {
     };
     struct Options {
         Shape shape;
-        bool asPublished;  ///< straight paths in the map, moments about 0, any empty bin parts layers
+        bool asPublished;   ///< straight paths in the map, moments about 0, any empty bin parts layers
         bool filterAcross;  ///< blurs grids across large motions
         int layers;         ///< 1 to 4
         bool operator==(const Options&) const = default;

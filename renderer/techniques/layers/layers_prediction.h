@@ -17,7 +17,7 @@ class LayersPrediction final : public Prediction {
     struct Options {
         LayerGrids::Options grids;
         bool equation9Alone, neighbourTiles;
-        int strata;         ///< of the map; 0: as many as camera samples
+        int strata;  ///< of the map; 0: as many as camera samples
         double biasTexels;
     };
     explicit LayersPrediction(const Options& options) : options_(options) {}

@@ -75,8 +75,8 @@ SamplingTraits LayersShadow::samplingTraits() const {
 }
 
 std::shared_ptr<const Prediction> LayersShadow::prediction() const {
-    return std::make_shared<LayersPrediction>(LayersPrediction::Options{
-        optionsOf(), equation9Alone_, neighbourTiles_, strata_, static_cast<double>(bias_)});
+    return std::make_shared<LayersPrediction>(
+        LayersPrediction::Options{optionsOf(), equation9Alone_, neighbourTiles_, strata_, static_cast<double>(bias_)});
 }
 
 std::uint32_t LayersShadow::strataOf(const FramePlan& plan) const {
@@ -88,9 +88,7 @@ float LayersShadow::lengthOf(const FramePlan& plan) const {
     return plan.block.timeScale * static_cast<float>(plan.block.strata) / static_cast<float>(strataOf(plan));
 }
 
-LayerGrids::Options LayersShadow::optionsOf() const {
-    return {shapes[tiles_], asPublished_, filterAcross_, layers_};
-}
+LayerGrids::Options LayersShadow::optionsOf() const { return {shapes[tiles_], asPublished_, filterAcross_, layers_}; }
 
 bool LayersShadow::hasCasters(const FramePlan& plan) const {
     return !plan.light.dynamicTriangles.empty() || (asPublished_ && !plan.light.staticTriangles.empty());
@@ -151,10 +149,11 @@ void LayersShadow::build(const TechniqueFrame& frame) {
         }
         if (!rasterizer_) rasterizer_.emplace(programs_);
         const TriangleLists none;
-        rasterizer_->draw(frame.mesh, frame.plan.light,
-                          {&frame.plan.light.dynamicTriangles, asPublished_ ? &frame.plan.light.staticTriangles : &none},
-                          StochasticRasterizer::Role::Light, StochasticRasterizer::Output::Motion,
-                          {strata, lengthOf(frame.plan)}, &*motion_, *depth_);
+        rasterizer_->draw(
+            frame.mesh, frame.plan.light,
+            {&frame.plan.light.dynamicTriangles, asPublished_ ? &frame.plan.light.staticTriangles : &none},
+            StochasticRasterizer::Role::Light, StochasticRasterizer::Output::Motion, {strata, lengthOf(frame.plan)},
+            &*motion_, *depth_);
     }
     if (!grids_) grids_.emplace(programs_);
     grids_->build(frame, optionsOf(), {*depth_, *motion_, strata, lengthOf(frame.plan)});

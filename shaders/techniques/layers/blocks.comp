@@ -1,0 +1,24 @@
+// Nearest and farthest depth at the middle of the shutter of the samples in each block of BLOCK x BLOCK texels; the
+// first above the second where there is nothing. Windows are made of whole blocks, and empty ones cost nothing more.
+#include "techniques/layers/samples.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rg32f) uniform writeonly image2DArray ranges;
+uniform uint strata;
+
+void main() {
+    ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(block, imageSize(ranges).xy))) return;
+    ivec2 end = min((block + 1) * BLOCK, ivec2(lightView.size));
+    vec2 range = vec2(1e30, -1e30);
+    for (uint k = 0u; k < strata; ++k)
+        for (int y = block.y * BLOCK; y < end.y; ++y)
+            for (int x = block.x * BLOCK; x < end.x; ++x) {
+                ivec3 place = ivec3(x, y, k);
+                if (isEmpty(place)) continue;
+                float depth = depthAtMiddle(sampleAt(place));
+                range = vec2(min(range.x, depth), max(range.y, depth));
+            }
+    imageStore(ranges, ivec3(block, 0), vec4(range, 0.0, 0.0));
+}
