@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/error.h"
+#include "epipolar.h"
 #include "headless.h"
 #include "interactive.h"
 #include "measure.h"
@@ -26,6 +27,7 @@ struct Runner {
     int operator()(const PicturesOptions& options) const { return runPictures(options); }
     int operator()(const VerifyOptions& options) const { return runVerify(options); }
     int operator()(const MeasureOptions& options) const { return runMeasure(options); }
+    int operator()(const EpipolarOptions& options) const { return runEpipolar(options); }
     int operator()(const CasesOptions& options) const { return runCases(options); }
     int operator()(const ListOptions& options) const { return runList(options); }
 };

@@ -46,7 +46,8 @@ std::vector<std::string> withSettings(const std::vector<std::string>& arguments,
 
 /// `timeshade` alone and `timeshade chess` mean the window.
 void addDefaultCommand(std::vector<std::string>& arguments) {
-    const std::vector<std::string> commands{"view", "shot", "record", "pictures", "verify", "measure", "cases", "list"};
+    const std::vector<std::string> commands{"view",    "shot",     "record", "pictures", "verify",
+                                            "measure", "epipolar", "cases",  "list"};
     const bool asks = !arguments.empty() &&
                       (arguments.front() == "--help" || arguments.front() == "-h" || arguments.front() == "--version");
     if (asks) return;
@@ -76,6 +77,7 @@ Command parseArguments(const std::vector<std::string>& given) {
     addPicturesCommand(app, command);
     addVerifyCommand(app, command);
     addMeasureCommand(app, command);
+    addEpipolarCommand(app, command);
     addCasesCommand(app, command);
     addListCommand(app, command);
     std::vector<std::string> arguments(given.rbegin(), given.rend());  // what CLI11 expects of a vector

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "options/cases_options.h"
+#include "options/epipolar_options.h"
 #include "options/list_options.h"
 #include "options/measure_options.h"
 #include "options/pictures_options.h"
@@ -19,7 +20,7 @@ struct FileSetting;
 
 /// What the command line (and a settings file) asks for, checked as far as that is possible without a scene or OpenGL.
 using Command = std::variant<ViewOptions, ShotOptions, RecordOptions, PicturesOptions, VerifyOptions, MeasureOptions,
-                             CasesOptions, ListOptions>;
+                             EpipolarOptions, CasesOptions, ListOptions>;
 
 /// Reads the command line. Prints help or the version and exits with 0 where asked; throws UsageError otherwise.
 Command parseCommandLine(int argumentCount, char** arguments);
@@ -38,6 +39,7 @@ void addRecordCommand(CLI::App& app, Command& command);
 void addPicturesCommand(CLI::App& app, Command& command);
 void addVerifyCommand(CLI::App& app, Command& command);
 void addMeasureCommand(CLI::App& app, Command& command);
+void addEpipolarCommand(CLI::App& app, Command& command);
 void addCasesCommand(CLI::App& app, Command& command);
 void addListCommand(CLI::App& app, Command& command);
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/check.h"
 #include "core/error.h"
 #include "core/hash.h"
 #include "frame/buffer_check.h"
@@ -107,7 +108,8 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
 
 bool FrameRenderer::step() {
     if (complete()) return true;
-    const FramePlan render = renders_ > 1 ? planAtInstant(*plan_, done_, renders_) : *plan_;
+    render_ = renders_ > 1 ? planAtInstant(*plan_, done_, renders_) : *plan_;
+    const FramePlan& render = *render_;
     uniforms_.set(render);
     settings_.bind();
     mesh_.bind();
@@ -116,8 +118,7 @@ bool FrameRenderer::step() {
         samplePass_.draw(render, mesh_, *samples_);
     }
     maps_.begin(render, mesh_);
-    const TechniqueFrame frame{render, mesh_, *samples_, *visibility_,      fullscreen_,
-                               timer_, maps_, caches_,   settings_.define()};
+    const TechniqueFrame frame = techniqueFrame();
     {
         const auto timed = timer_.scope("build");
         technique_->build(frame);
@@ -139,6 +140,20 @@ bool FrameRenderer::step() {
     if (checked_) checkBuffers();
     if (complete()) endFrame();
     return complete();
+}
+
+TechniqueFrame FrameRenderer::techniqueFrame() {
+    return {*render_, mesh_, *samples_, *visibility_, fullscreen_, timer_, maps_, caches_, settings_.define()};
+}
+
+StoredAlongLine FrameRenderer::storedAlong(const MapLine& line) {
+    CHECK_GT(done_, 0);
+    uniforms_.set(*render_);
+    settings_.bind();
+    mesh_.bind();
+    StoredAlongLine stored = technique_->storedAlong(techniqueFrame(), line);
+    gl::requireNoErrors(fmt::format("reading what {} stored", technique_->description().name));
+    return stored;
 }
 
 void FrameRenderer::drawLookup(const TechniqueFrame& frame) {

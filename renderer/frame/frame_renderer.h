@@ -69,6 +69,10 @@ class FrameRenderer {
     /// Triangle of every camera sample of the last render, same order.
     std::vector<std::uint32_t> readSampleIds() const;
 
+    /// What the technique stored along a line of the light's map in the last render. At least one must have been drawn
+    /// (checked), and the technique and its settings be as they were.
+    StoredAlongLine storedAlong(const MapLine& line);
+
     /// Checked: after every render, all float buffers are read back and scanned. A NaN, an infinity, or a lit outside
     /// [0, 1] throws Error that names the buffer, the place and the value. Slow; for tests and --gl-debug.
     void setChecked(bool checked) { checked_ = checked; }
@@ -81,6 +85,7 @@ class FrameRenderer {
     void checkBuffers() const;
     void forgetPast(Technique& technique);
     void drawLookup(const TechniqueFrame& frame);
+    TechniqueFrame techniqueFrame();
     void endFrame();
     float scaleToWhole() const;
 
@@ -104,6 +109,7 @@ class FrameRenderer {
     std::optional<gl::Texture> values_;  ///< of a technique's view, once one has been shown
 
     std::optional<FramePlan> plan_;
+    std::optional<FramePlan> render_;  ///< the plan of the last render
     Technique* technique_ = nullptr;
     std::size_t techniqueBytes_ = 0;  ///< after the last render
     View view_ = View::Final;

@@ -17,15 +17,14 @@ double shareOf(const TechniqueView& view, double value) {
                                                  static_cast<float>(view.high), view.logarithmic));
 }
 
-/// 1, 2 or 5 times a power of ten, at least `least`.
+}  // namespace
+
 double roundStep(double least) {
     const double power = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power >= least * (1.0 - 1e-9)) return factor * power;
     return 10.0 * power;
 }
-
-}  // namespace
 
 std::vector<ScaleMark> marksOf(const TechniqueView& view) {
     std::vector<double> values{view.low};

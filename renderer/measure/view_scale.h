@@ -14,6 +14,9 @@ struct ScaleMark {
     std::string text;
 };
 
+/// 1, 2 or 5 times a power of ten, at least `least` > 0.
+double roundStep(double least);
+
 /// Numbers for a view's scale: both ends, and round ones between them, whole where the scale spans whole numbers. The
 /// last carries the unit.
 std::vector<ScaleMark> marksOf(const TechniqueView& view);

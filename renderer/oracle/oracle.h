@@ -11,6 +11,7 @@
 #include "oracle/sample_index.h"
 #include "oracle/visibility_mean.h"
 #include "plan/frame_plan.h"
+#include "plan/map_line.h"
 
 namespace timeshade {
 
@@ -26,6 +27,12 @@ struct OracleAnswer {
     bool marginal = false;
     float time = 0.0f;         ///< u
     glm::dvec3 position{0.0};  ///< world space less the plan's origin
+};
+
+/// What the light sees through a place of its map at a time.
+struct SeenByLight {
+    std::uint32_t triangle = NO_TRIANGLE;
+    double depth = 0.0;  ///< distance from the light's plane along its axis; meaningless without a triangle
 };
 
 /// The independent ray tracer that knows the true `lit` of a camera sample. No OpenGL; it shares nothing with a
@@ -66,6 +73,18 @@ class Oracle {
         bool marginal = false;
     };
     ResolvedPrimary resolvePrimary(const FramePlan& plan, SampleIndex sample) const;
+
+    /// What the light sees through each of columns x rows places of a plane of x along a line of its map and u: the
+    /// triangle that is nearest to it beyond the map's near distance, from either side, in double precision; of two at
+    /// one depth that with the lower number. The places are the centres of equal cells, [row][column], u from 0 in the
+    /// first row to 1 in the last. All cores.
+    std::vector<SeenByLight> seenAlong(const FramePlan& plan, const MapLine& line, std::uint32_t columns,
+                                       std::uint32_t rows) const;
+    /// The same through one place of the map at one time.
+    SeenByLight seenByLight(const FramePlan& plan, const glm::dvec2& place, double u) const;
+
+    /// Where the point of a triangle's plane that is at `position` at time `at` is at time u: barycentrics fixed.
+    glm::dvec3 followed(std::uint32_t triangle, const glm::dvec3& position, double at, double u) const;
 
     /// The converged visibility of each pixel of the rows firstRow .. firstRow + rows - 1: its mean over the whole
     /// shutter and the pixel's area, over whatever is seen there, [row][column]. `rays` camera rays a pixel, one in

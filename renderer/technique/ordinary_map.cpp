@@ -29,6 +29,13 @@ float OrdinaryMap::instantOf(const FramePlan& plan) {
     return plan.block.timeBase + 0.5f * static_cast<float>(plan.block.strata) * plan.block.timeScale;
 }
 
+StoredAlongLine OrdinaryMap::storedAlong(const TechniqueFrame& frame, const MapLine& line, double uFrom,
+                                         double uTo) const {
+    StoredAlongLine stored;
+    addMapMarks(frame.plan, *map_, line, uFrom, uTo, stored.marks);
+    return stored;
+}
+
 LookupProgram OrdinaryMap::lookupProgram(const TechniqueFrame& frame, Casters casters) const {
     const gl::Texture& map =
         casters == Casters::Static ? frame.maps.ofStaticCasters(LightMaps::Coverage::Rasterized) : *map_;

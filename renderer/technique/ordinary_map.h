@@ -16,6 +16,8 @@ class OrdinaryMap {
     static float instantOf(const FramePlan& plan);
     void build(const TechniqueFrame& frame) { map_ = &frame.maps.atInstant(instantOf(frame.plan)); }
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) const;
+    /// What the map holds, as of [uFrom, uTo]: for storedAlong.
+    StoredAlongLine storedAlong(const TechniqueFrame& frame, const MapLine& line, double uFrom, double uTo) const;
     int pcfRadius() const { return pcfRadius_; }
 
   private:

@@ -11,6 +11,7 @@
 #include "technique/lookup_program.h"
 #include "technique/prediction.h"
 #include "technique/sampling_traits.h"
+#include "technique/stored_along_line.h"
 #include "technique/technique_description.h"
 #include "technique/technique_frame.h"
 #include "technique/technique_statistic.h"
@@ -78,6 +79,10 @@ class Technique : public HasSettings {
     /// Draws the view of that name after the lookup: one value a pixel into `values` (R32F, the picture's size),
     /// negative where there is nothing to show.
     virtual void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values);
+    /// What build left along a line of the light's map, in x and u: what the epipolar view draws. With the frame of the
+    /// last build; of a frame that is drawn as several renders it is asked after each. May wait for the device. A
+    /// technique that overrides nothing is shown as one that stores nothing.
+    virtual StoredAlongLine storedAlong(const TechniqueFrame&, const MapLine&) { return {}; }
     /// What was counted in the frame drawn last. May wait for the device.
     virtual std::vector<TechniqueStatistic> statistics() const { return {}; }
     /// The textures that build has drawn, for checks: none may hold a NaN or an infinity. Those of TechniqueFrame::maps

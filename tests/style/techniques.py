@@ -19,6 +19,7 @@ ORDINARY = {
     "app/cases.cpp": ("exact",),  # the exact value of a case
     "renderer/measure/case_picture.cpp": ("exact",),
     "renderer/passes/light_maps.cpp": ("static",),  # static casters
+    "renderer/techniques/tsm/tsm_shadow.cpp": ("layers",),  # of a texture
     "tests/parity/technique_views_test.cpp": ("static",),
 }
 
@@ -38,6 +39,7 @@ ABOUT = {
     "tests/technique/history_moving_test.cpp": ("static",),
     "tests/technique/metamorphic_test.cpp": ("accumulation", "history"),
     "tests/technique/reference_technique_test.cpp": ("tsm",),
+    "tests/technique/epipolar_test.cpp": ("accumulation", "exact", "ranges", "static", "temporal", "tsm"),
     "tests/technique/shutter_response_test.cpp": ("accumulation", "exact"),
     "tests/technique/reload_test.cpp": ("exact",),  # changes its build shader
     "tests/cli/limits_test.py": ("exact", "ranges"),  # their lists

@@ -39,6 +39,14 @@ std::vector<PassDecision> AccumulationShadow::passes(const FramePlan& plan) cons
              0}};
 }
 
+StoredAlongLine AccumulationShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    // A render stands for its share of the shutter.
+    const auto u = static_cast<double>(OrdinaryMap::instantOf(frame.plan));
+    StoredAlongLine stored = map_.storedAlong(frame, line, u - 0.5 / renders_, u + 0.5 / renders_);
+    stored.note = fmt::format("{} maps, each of the instant at the centre of its interval", renders_);
+    return stored;
+}
+
 TechniqueEntry accumulationTechnique() { return entryOf<AccumulationShadow>(); }
 
 }  // namespace timeshade

@@ -24,6 +24,7 @@ class AccumulationShadow final : public Technique {
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override {
         return map_.lookupProgram(frame, casters);
     }
+    StoredAlongLine storedAlong(const TechniqueFrame& frame, const MapLine& line) override;
     std::size_t bytes() const override { return 0; }
 
   private:

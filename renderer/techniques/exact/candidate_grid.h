@@ -9,6 +9,7 @@
 #include "gl/program_cache.h"
 #include "passes/cell_lists.h"
 #include "plan/frame_plan.h"
+#include "technique/stored_along_line.h"
 #include "techniques/exact/candidate_cost.h"
 
 namespace timeshade {
@@ -29,6 +30,10 @@ class CandidateGrid {
     /// next one the triangles.
     const gl::Texture& offsets() const { return lists_.offsets(); }
     const gl::Texture& candidates() const { return candidates_.texels(); }
+
+    /// Adds the candidates along a line of the map, each over that part of its cell that its bounds leave, its bucket
+    /// of the shutter, and with the depth that it is never nearer than. Waits for the device.
+    void addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const;
 
     int side() const { return side_; }
     int buckets() const { return buckets_; }

@@ -192,6 +192,15 @@ void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name,
     glDisable(GL_BLEND);
 }
 
+StoredAlongLine ExactShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    StoredAlongLine stored;
+    if (static_ != nullptr) static_->grid.addMarks(frame.plan, line, stored.marks);
+    if (dynamic_) dynamic_->addMarks(frame.plan, line, stored.marks);
+    stored.note =
+        "candidates: what may lie there during a bucket of the shutter, no nearer than so; each is tested exactly";
+    return stored;
+}
+
 std::vector<TechniqueStatistic> ExactShadow::statistics() const {
     std::vector<TechniqueStatistic> statistics{
         {"dynamic triangles", static_cast<double>(dynamicCasters_.count()), "", ""},

@@ -67,7 +67,7 @@ void LayerGrids::build(const TechniqueFrame& frame, const Options& options, cons
     {
         const auto timed = frame.timer.scope("build/layers");
         gl::Inputs of = inputs;
-        of.texture("ranges", *ranges_);
+        of.texture("extents", *ranges_);
         programs_.get({.label = "blocks of samples", .defines = given, .compute = "techniques/layers/blocks.comp"})
             .use(of);
         dispatchOver(ranges_->width(), ranges_->height());

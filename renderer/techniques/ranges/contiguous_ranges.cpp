@@ -5,9 +5,12 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <glm/packing.hpp>
 
 #include "core/error.h"
 #include "gl/dispatch.h"
+#include "gl/read_back.h"
+#include "technique/linked_interval_marks.h"
 #include "techniques/ranges/bindings.shared.h"
 
 namespace timeshade {
@@ -134,6 +137,40 @@ void ContiguousRanges::addInputs(gl::Inputs& inputs) const {
         .texture("rangeDistances", distances_.texels())
         .texture("rangeIds", ids_.texels())
         .texture("rangeSlopes", slopes_.texels());
+}
+
+void ContiguousRanges::addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const {
+    const glm::dvec2 size = plan.request.mapSize.sides();
+    const auto texelWidth = [&](double distance) {
+        const auto width = static_cast<double>(plan.block.lightCone.w);
+        return plan.light.projection == Projection::Orthographic ? width : width * distance;
+    };
+    for (const TexelOnLine& t : texelsAlong(line, glm::ivec2(size))) {
+        const auto span = gl::readElements<GLuint>(lists_.offsetsBuffer(), listNumber(plan, t.texel), 2);
+        const std::size_t first = span[0] / 2, count = span[1] / 2 - span[0] / 2;
+        const auto times = gl::readElements<glm::vec2>(times_.buffer(), first, count);
+        const auto distances = gl::readElements<glm::vec2>(distances_.buffer(), first, count);
+        const auto slopes = gl::readElements<glm::uvec4>(slopes_.buffer(), first, count);
+        const auto ids = gl::readElements<glm::uvec2>(ids_.buffer(), first, count);
+        // From the texel's centre, as the lookup extrapolates.
+        const glm::dvec2 offset = line.at(0.5 * (t.xFrom + t.xTo)) * size - (glm::dvec2(t.texel) + 0.5);
+        const glm::dvec2 way = (line.to - line.from) * size * (t.xTo - t.xFrom);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (times[i].x > times[i].y) continue;  // empty
+            const auto slope = [&](int word) { return glm::dvec2(glm::unpackHalf2x16(slopes[i][word])); };
+            const glm::dvec2 u(times[i]), d(distances[i]);
+            StoredMark mark{t.xFrom,
+                            t.xTo,
+                            u.x + glm::dot(offset, slope(0)),
+                            u.y + glm::dot(offset, slope(2)),
+                            d.x + texelWidth(d.x) * glm::dot(offset, slope(1)),
+                            d.y + texelWidth(d.y) * glm::dot(offset, slope(3))};
+            mark.uFromSlope = glm::dot(way, slope(0));
+            mark.uToSlope = glm::dot(way, slope(2));
+            mark.triangle = ids[i].x;
+            if (mark.uFrom < mark.uTo) marks.push_back(mark);
+        }
+    }
 }
 
 RangeCounts ContiguousRanges::counts() const {

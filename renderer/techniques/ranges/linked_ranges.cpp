@@ -4,6 +4,7 @@
 
 #include "gl/dispatch.h"
 #include "shared/linked_intervals.shared.h"
+#include "technique/linked_interval_marks.h"
 #include "techniques/ranges/bindings.shared.h"
 
 namespace timeshade {
@@ -105,6 +106,10 @@ void LinkedRanges::generate() {
 
 void LinkedRanges::addInputs(gl::Inputs& inputs) const {
     inputs.texture("rangeHeads", rangeHeads_.texels()).texture("ranges", rangeList_.texels());
+}
+
+void LinkedRanges::addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const {
+    addLinkedMarks(plan, rangeHeads_.buffer(), rangeList_.buffer(), line, marks);
 }
 
 RangeCounts LinkedRanges::counts() const {

@@ -22,6 +22,7 @@ class LinkedRanges final : public RangeLists {
     explicit LinkedRanges(gl::ProgramCache& programs);
     void build(const TechniqueFrame& frame, const LightMotion& motion) override;
     void addInputs(gl::Inputs& inputs) const override;
+    void addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const override;
     RangeCounts counts() const override;
     std::size_t bytes() const override;
 

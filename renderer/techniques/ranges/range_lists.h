@@ -27,6 +27,8 @@ class RangeLists {
     virtual void build(const TechniqueFrame& frame, const LightMotion& motion) = 0;
     /// Adds what shaders/techniques/ranges/lists.glsl reads.
     virtual void addInputs(gl::Inputs& inputs) const = 0;
+    /// Adds the ranges along a line of the map. Waits for the device.
+    virtual void addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const = 0;
     /// Of the lists built last. Waits for the device.
     virtual RangeCounts counts() const = 0;
     virtual std::size_t bytes() const = 0;

@@ -176,6 +176,15 @@ void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name
     frame.fullscreen.draw(program);
 }
 
+StoredAlongLine RangesShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    StoredAlongLine stored;
+    if (staticMap_ != nullptr) addMapMarks(frame.plan, *staticMap_, line, 0.0, 1.0, stored.marks);
+    if (lists_) lists_->addMarks(frame.plan, line, stored.marks);
+    stored.note = "ranges: when a triangle covers the place, extended inside each texel, and how far away";
+    if (near_.count() > 0) stored.note += "; triangles at the near plane are not shown";
+    return stored;
+}
+
 std::vector<TechniqueStatistic> RangesShadow::statistics() const {
     if (!lists_ && !staticMap_) return {};
     const RangeCounts counts = lists_ ? lists_->counts() : RangeCounts{};

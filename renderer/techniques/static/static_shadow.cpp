@@ -62,6 +62,13 @@ LookupProgram StaticShadow::lookupProgram(const TechniqueFrame& frame, Casters c
     return lookup;
 }
 
+StoredAlongLine StaticShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    if (fit() != MapFit::Light) return {{}, "the fitted map has other texels than the shadow map: not shown"};
+    StoredAlongLine stored = map_.storedAlong(frame, line, 0.0, 1.0);
+    stored.note = "one map, of u = 0.5, for the whole shutter";
+    return stored;
+}
+
 std::vector<const gl::Texture*> StaticShadow::textures() const {
     return fitted_ ? std::vector<const gl::Texture*>{&fitted_->depth()} : std::vector<const gl::Texture*>{};
 }

@@ -28,6 +28,7 @@ class StaticShadow final : public Technique {
     /// A fitted map holds all casters.
     bool separatesStaticCasters() const override { return fit() == MapFit::Light; }
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
+    StoredAlongLine storedAlong(const TechniqueFrame& frame, const MapLine& line) override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override { return fitted_ ? fitted_->bytes() : 0; }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gl/read_back.h"
+#include "technique/linked_interval_marks.h"
 #include "techniques/temporal/bindings.shared.h"
 
 namespace timeshade {
@@ -92,6 +94,22 @@ void ExactTuples::addInputs(gl::Inputs& inputs) const {
         .texture("tupleDepths", depths_.texels())
         .texture("tupleIds", ids_.texels());
     if (coverage_) inputs.texture("coverageMap", *coverage_);
+}
+
+void ExactTuples::addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const {
+    const MapSize size = plan.request.mapSize;
+    for (const TexelOnLine& t : texelsAlong(line, {size.width, size.height})) {
+        const auto span = gl::readElements<GLuint>(lists_.offsetsBuffer(), listNumber(plan, t.texel), 2);
+        const std::size_t first = span[0], count = span[1] - span[0];
+        const auto times = gl::readElements<glm::vec2>(times_.buffer(), first, count);
+        const auto depths = gl::readElements<glm::vec2>(depths_.buffer(), first, count);
+        const auto ids = gl::readElements<GLuint>(ids_.buffer(), first, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec2 u(times[i]), depth(depths[i]);
+            marks.push_back({t.xFrom, t.xTo, u.x, u.y, depth.x, depth.y});
+            marks.back().triangle = ids[i];
+        }
+    }
 }
 
 TupleCounts ExactTuples::counts() const {

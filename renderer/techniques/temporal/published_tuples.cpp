@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shared/linked_intervals.shared.h"
+#include "technique/linked_interval_marks.h"
 #include "techniques/temporal/bindings.shared.h"
 
 namespace timeshade {
@@ -70,6 +71,10 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
 void PublishedTuples::addInputs(gl::Inputs& inputs) const {
     inputs.texture("tupleHeads", heads_.texels()).texture("linkedTuples", tuples_.texels());
     if (coverage_) inputs.texture("coverageMap", coverage_->map());
+}
+
+void PublishedTuples::addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const {
+    addLinkedMarks(plan, heads_.buffer(), tuples_.buffer(), line, marks);
 }
 
 TupleCounts PublishedTuples::counts() const {

@@ -22,6 +22,7 @@ class PublishedTuples final : public TupleLists {
 
     void build(const TechniqueFrame& frame, const std::vector<std::uint32_t>& moving, bool coverageMap) override;
     void addInputs(gl::Inputs& inputs) const override;
+    void addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const override;
     TupleCounts counts() const override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;

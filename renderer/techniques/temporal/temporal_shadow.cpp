@@ -182,6 +182,16 @@ void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& na
     frame.fullscreen.draw(program);
 }
 
+StoredAlongLine TemporalShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    StoredAlongLine stored;
+    if (staticMap_ != nullptr) addMapMarks(frame.plan, *staticMap_, line, 0.0, 1.0, stored.marks);
+    if (lists_) lists_->addMarks(frame.plan, line, stored.marks);
+    stored.note = "tuples: when the texel's centre is covered, and how far away";
+    if (builtWithCoverage_) stored.note += "; the coverage map is not shown";
+    if (near_.count() > 0) stored.note += "; triangles at the near plane are not shown";
+    return stored;
+}
+
 std::vector<TechniqueStatistic> TemporalShadow::statistics() const {
     if (!lists_ && !staticMap_) return {};
     const TupleCounts counts = lists_ ? lists_->counts() : TupleCounts{};

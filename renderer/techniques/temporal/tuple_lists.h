@@ -29,6 +29,8 @@ class TupleLists {
     virtual void build(const TechniqueFrame& frame, const std::vector<std::uint32_t>& moving, bool coverageMap) = 0;
     /// Adds what lookup and views read.
     virtual void addInputs(gl::Inputs& inputs) const = 0;
+    /// Adds the tuples along a line of the map. Waits for the device.
+    virtual void addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const = 0;
     /// Reads the lists back: waits for the device.
     virtual TupleCounts counts() const = 0;
     virtual std::vector<const gl::Texture*> textures() const = 0;

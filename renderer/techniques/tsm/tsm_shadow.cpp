@@ -1,9 +1,11 @@
 #include "techniques/tsm/tsm_shadow.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "shared/sample_pattern.shared.h"
 #include "technique/technique_entry.h"
 
 namespace timeshade {
@@ -184,6 +186,29 @@ LookupProgram TsmShadow::lookupProgram(const TechniqueFrame& frame, Casters) {
     if (dynamicBias_ == static_cast<int>(DynamicBias::BothTimes)) lookup.defines.emplace_back("BOTH_TIMES", "1");
     if (velocity_) lookup.inputs.texture("velocityMap", *velocity_);
     return lookup;
+}
+
+StoredAlongLine TsmShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    StoredAlongLine stored;
+    const FramePlan& plan = frame.plan;
+    const std::uint32_t strata = strataOf(plan);
+    addMapMarks(plan, *staticMap_, line, 0.0, 1.0, stored.marks);
+    stored.note =
+        fmt::format("one map of what stands still, and {} layers: a point is a texel at its own time", strata);
+    if (!depth_) return stored;
+    const MapSize size = plan.request.mapSize;
+    const std::vector<TexelOnLine> texels = texelsAlong(line, {size.width, size.height});
+    for (std::uint32_t layer = 0; layer < strata; ++layer) {
+        const std::vector<float> depths = valuesAlong(*depth_, static_cast<int>(layer), texels);
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            const double distance = distanceOfStored(plan, depths[i]);
+            if (!std::isfinite(distance)) continue;
+            const float xi = shared::samplePattern(glm::uvec2(texels[i].texel), layer, plan.block.seed, SALT_LIGHT).z;
+            const auto u = static_cast<double>(shared::sampleTime(plan.block.timeBase, lengthOf(plan), layer, xi));
+            stored.marks.push_back({texels[i].xFrom, texels[i].xTo, u, u, distance, distance});
+        }
+    }
+    return stored;
 }
 
 std::vector<const gl::Texture*> TsmShadow::textures() const {

@@ -29,6 +29,7 @@ class TsmShadow final : public Technique {
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
+    StoredAlongLine storedAlong(const TechniqueFrame& frame, const MapLine& line) override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;
 

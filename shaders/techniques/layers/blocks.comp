@@ -4,12 +4,12 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(rg32f) uniform writeonly image2DArray ranges;
+layout(rg32f) uniform writeonly image2DArray extents;
 uniform uint strata;
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(block, imageSize(ranges).xy))) return;
+    if (any(greaterThanEqual(block, imageSize(extents).xy))) return;
     ivec2 end = min((block + 1) * BLOCK, ivec2(lightView.size));
     vec2 range = vec2(1e30, -1e30);
     for (uint k = 0u; k < strata; ++k)
@@ -20,5 +20,5 @@ void main() {
                 float depth = depthAtMiddle(sampleAt(place));
                 range = vec2(min(range.x, depth), max(range.y, depth));
             }
-    imageStore(ranges, ivec3(block, 0), vec4(range, 0.0, 0.0));
+    imageStore(extents, ivec3(block, 0), vec4(range, 0.0, 0.0));
 }
