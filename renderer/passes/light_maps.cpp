@@ -11,18 +11,25 @@ void LightMaps::begin(const FramePlan& plan, const GpuMesh& mesh) {
     textures_.clear();
 }
 
-StaticMap& LightMaps::staticMap(Coverage coverage) {
+StaticMap& LightMaps::staticMap(Coverage coverage, bool keepsTriangles) {
     auto& entry = caches_.entry<StaticMap>(std::string(cacheNames) +
-                                           (coverage == Coverage::Exact ? "static, exact" : "static, rasterized"));
+                                           (coverage == Coverage::Exact ? "static, exact" : "static, rasterized") +
+                                           (keepsTriangles ? ", triangles" : ""));
     const CacheKey key = plan_->versions.casters;
     const bool held = entry.holds(key);
-    StaticMap& map = entry.get(programs_, coverage);
+    StaticMap& map = entry.get(programs_, coverage, keepsTriangles);
     if (!held) map.draw(*plan_, *mesh_);
     entry.setKey(key);
     return map;
 }
 
 const gl::Texture& LightMaps::ofStaticCasters(Coverage coverage) { return handOut(staticMap(coverage).depth()); }
+
+const StaticMap& LightMaps::ofStaticTriangles() {
+    const StaticMap& map = staticMap(Coverage::Exact, true);
+    handOut(map.depth());
+    return map;
+}
 
 const gl::Texture& LightMaps::atInstant(float u) {
     const CacheKey key = plan_->versions.casters;

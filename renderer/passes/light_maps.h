@@ -20,6 +20,8 @@ class LightMaps {
 
     /// The nearest depth of everything that is static in the light's frame.
     const gl::Texture& ofStaticCasters(Coverage coverage);
+    /// The same with exact coverage, and the triangle that each depth is of.
+    const StaticMap& ofStaticTriangles();
     /// The nearest depth of everything as it is at one instant of the shutter. Valid until the next call.
     const gl::Texture& atInstant(float u);
 
@@ -30,7 +32,7 @@ class LightMaps {
     static constexpr const char* cacheNames = "light maps: ";
 
   private:
-    StaticMap& staticMap(Coverage coverage);
+    StaticMap& staticMap(Coverage coverage, bool keepsTriangles = false);
     const gl::Texture& handOut(const gl::Texture& map);
 
     gl::ProgramCache& programs_;

@@ -16,20 +16,27 @@ class StaticMap {
     /// is dynamic, so that the plan changes no texel.
     enum class Coverage { Rasterized, Exact };
 
-    StaticMap(gl::ProgramCache& programs, Coverage coverage)
-        : programs_(programs), coverage_(coverage), map_(programs) {}
+    /// `keepsTriangles`: beside the depth the number of the triangle that it is of, R32UI, 4 bytes a texel; of exact
+    /// coverage only.
+    StaticMap(gl::ProgramCache& programs, Coverage coverage, bool keepsTriangles = false)
+        : programs_(programs), coverage_(coverage), keepsTriangles_(keepsTriangles), map_(programs) {}
     /// Draws plan.casters.staticCasters. The frame's uniforms and the mesh must be bound.
     void draw(const FramePlan& plan, const GpuMesh& mesh);
     const gl::Texture& depth() const { return exact_ ? *exact_ : map_.depth(); }
     /// Of rasterised coverage only.
     const ShadowMap& map() const { return map_; }
-    std::size_t bytes() const { return exact_ ? exact_->bytes() : map_.bytes(); }
+    /// NO_TRIANGLE where there is nothing. Only of a map that keeps them.
+    const gl::Texture& triangles() const { return *triangles_; }
+    std::size_t bytes() const {
+        return (exact_ ? exact_->bytes() : map_.bytes()) + (triangles_ ? triangles_->bytes() : 0);
+    }
 
   private:
     gl::ProgramCache& programs_;
     Coverage coverage_;
+    bool keepsTriangles_;
     ShadowMap map_;
-    std::optional<gl::Texture> exact_;
+    std::optional<gl::Texture> exact_, triangles_;
 };
 
 }  // namespace timeshade

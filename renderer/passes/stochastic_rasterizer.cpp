@@ -2,6 +2,9 @@
 
 #include <array>
 #include <span>
+#include <string>
+
+#include "core/check.h"
 
 namespace timeshade {
 
@@ -56,6 +59,8 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
     for (std::size_t i = 0; i < lists.size(); ++i) upload(uploaded_[i], *lists.begin()[i]);
     gl::ShaderDefines defines = definesFor(view, role, output);
     if (start) defines.emplace_back("OUTPUT_DYNAMIC_PIXELS", "1");
+    CHECK(strata.timePattern == 0 || role == Role::Light);
+    if (strata.timePattern > 0) defines.emplace_back("TIME_PATTERN", std::to_string(strata.timePattern));
     const gl::Program& points =
         programs_.get({"stochastic points", "passes/stochastic_points.vert", "passes/stochastic.frag", defines});
     const gl::Program& rectangles = programs_.get(

@@ -12,7 +12,8 @@ namespace timeshade {
 
 /// Draws moving triangles as they are at each pixel's own sample time, one stratum of the shutter per layer
 /// (stochastic rasterisation, Akenine-Moller et al. 2007; a cover per triangle and stratum with an exact test per
-/// fragment). The camera's samples are jittered inside the pixel, the light's lie at the texels' centres.
+/// fragment). The camera's samples are jittered inside the pixel, the light's lie at the texels' centres, at random
+/// times or at those of a fixed pattern.
 class StochasticRasterizer {
   public:
     enum class Role { Camera, Light };
@@ -30,8 +31,11 @@ class StochasticRasterizer {
     struct Strata {
         std::uint32_t count;
         float length;
+        /// Of a map: the side of a block of texels in which each has its own fixed time of the stratum (texelPhase and
+        /// phaseTime of sample_pattern.shared.h). 0: a random time per texel.
+        int timePattern = 0;
         /// As the frame's camera samples have them.
-        static Strata ofSamples(const FramePlan& plan) { return {plan.block.strata, plan.block.timeScale}; }
+        static Strata ofSamples(const FramePlan& plan) { return {plan.block.strata, plan.block.timeScale, 0}; }
     };
 
     /// What the layers hold before anything is drawn, instead of nothing: the same layers of other textures. `touched`

@@ -5,6 +5,7 @@
 // OUTPUT_DEPTH_RATE: write how fast the depth changes that this pixel sees of the triangle.
 // OUTPUT_DEPTH_VELOCITY: write how fast the depth changes of the point of the triangle that it sees.
 // OUTPUT_MOTION: write how fast that point moves in view coordinates, and the sample's time.
+// TIME_PATTERN: of a map, the side of a pattern of fixed times (sample_pattern.shared.h) instead of random ones.
 #include "lib/blocks.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
@@ -45,8 +46,12 @@ struct Sample {
 
 Sample sampleOf(uvec2 pixel) {
 #ifdef VIEW_LIGHT
+#ifdef TIME_PATTERN
+    vec3 pattern = vec3(phaseTime(texelPhase(pixel, uint(TIME_PATTERN)), uint(TIME_PATTERN)));
+#else
     vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_LIGHT);
-    pattern.xy = vec2(0.5);  // a map is sampled at its texels' centres, at random times
+#endif
+    pattern.xy = vec2(0.5);  // a map is sampled at its texels' centres
 #else
     vec3 pattern = cameraSample(pixel, stratum, frame.seed, frame.pixelCentres);
 #endif

@@ -35,4 +35,13 @@ SHARED_FUNCTION float sampleTime(float base, float scale, uint k, float xi) {
     return min(base + (float(k) + xi) * scale, SHARED_FLOAT(1.0));
 }
 
+/// Which of side^2 fixed times of a stratum a texel has: 0 .. side^2 - 1, the same in every block of side x side
+/// texels.
+SHARED_FUNCTION uint texelPhase(uvec2 texel, uint side) { return texel.x % side + side * (texel.y % side); }
+
+/// Where in its stratum the time of a phase lies: the centre of the phase's own part of it, in (0, 1).
+SHARED_FUNCTION float phaseTime(uint phase, uint side) {
+    return (float(phase) + SHARED_FLOAT(0.5)) / float(side * side);
+}
+
 SHARED_END

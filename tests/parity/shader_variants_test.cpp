@@ -275,6 +275,14 @@ void theFramesDrawnHadEveryVariant() {
                      {std::pair{"", ""}, {"DYNAMIC_BIAS=1", ""}, {"DYNAMIC_BIAS=1", "BOTH_TIMES=1"}})
                     has("techniques/tsm/lookup.frag",
                         joined({turns, orthographic, bias, times, "DYNAMIC_CASTERS=1", radius}));
+            for (const std::string radius : {"PCF_RADIUS=0", "PCF_RADIUS=1"}) {
+                has("techniques/tsm/plane_test.frag", joined({turns, orthographic, "DYNAMIC_CASTERS=1", radius}));
+                for (const std::string side : {"PATTERN=1", "PATTERN=2"})
+                    for (const std::string plane : {"", "PLANE_TEST=1"})
+                        has("techniques/interleaved/lookup.frag",
+                            joined({turns, orthographic, side, plane, "FOOTPRINT_STRATUM=1", "DYNAMIC_CASTERS=1",
+                                    radius}));
+            }
         }
         for (const std::string view : {"", "VIEW_VISIBILITY=1"})
             for (const std::string weights : {"", "SHUTTER_WEIGHTS=1"})
@@ -285,6 +293,8 @@ void theFramesDrawnHadEveryVariant() {
         for (const std::string orthographic : {"", "VIEW_ORTHOGRAPHIC=1"})
             for (const std::string output : {"", "OUTPUT_DEPTH_RATE=1", "OUTPUT_DEPTH_VELOCITY=1"})
                 has(cover, joined({"VIEW_LIGHT=1", orthographic, output}));
+        for (const std::string orthographic : {"", "VIEW_ORTHOGRAPHIC=1"})
+            has(cover, joined({"VIEW_LIGHT=1", "OUTPUT_ID=1", orthographic, "TIME_PATTERN=2"}));
     }
     for (const std::string orthographic : {"", "LIGHT_ORTHOGRAPHIC=1"}) has("passes/shadow_map.vert", orthographic);
 }

@@ -78,12 +78,15 @@ TEST_F(SharedNumerics, SamplePatternHasTheSameBits) {
     uvec3 h = hashWords(uvec3(w[3], w[0], w[4]));
     put(5, h.x); put(6, h.y); put(7, h.z);
     put(8, hashWord(w[3]));
+    uint side = 1u + w[2] % 4u, phase = texelPhase(uvec2(w[0], w[1]), side);
+    put(9, phase);
+    put(10, phaseTime(phase, side));
 )",
-                                                       input, 10, 9);
+                                                       input, 10, 11);
     const bool software = sharedRenderer().device().software;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto& c = cases[i];
-        const std::uint32_t* gpu = output.data() + 9 * i;
+        const std::uint32_t* gpu = output.data() + 11 * i;
         const vec3 p = shared::samplePattern({c[0], c[1]}, c[2], c[3], c[4]);
         for (int d = 0; d < 3; ++d)
             ASSERT_EQ(gpu[d], std::bit_cast<std::uint32_t>(p[d])) << "case " << i << ", dimension " << d;
@@ -94,6 +97,9 @@ TEST_F(SharedNumerics, SamplePatternHasTheSameBits) {
         const glm::uvec3 h = shared::hashWords({c[3], c[0], c[4]});
         for (int d = 0; d < 3; ++d) ASSERT_EQ(gpu[5 + d], h[d]) << "case " << i;
         ASSERT_EQ(gpu[8], shared::hashWord(c[3])) << "case " << i;
+        const std::uint32_t side = 1 + c[2] % 4, phase = shared::texelPhase({c[0], c[1]}, side);
+        ASSERT_EQ(gpu[9], phase) << "case " << i;
+        ASSERT_LE(ulpsApart(asFloat(gpu[10]), shared::phaseTime(phase, side)), software ? 0u : 1u) << "case " << i;
     }
 }
 

@@ -53,6 +53,12 @@ TEST(Acne, IsNoneOnASphereThatTurns) {
     }
 }
 
+/// The plane of the receiver's own triangle instead: a sphere falls away from it.
+TEST(Acne, IsNoneWhereThePlaneIsTested) {
+    EXPECT_LT(falseShadows("tsm", "plane_test").ofStone, 100.0);
+    EXPECT_LT(falseShadows("interleaved", "").ofStone, 100.0);
+}
+
 /// Without it there is acne.
 TEST(Acne, IsThereWithoutTheDynamicBias) { EXPECT_GT(falseShadows("tsm", "").ofStone, 5000.0); }
 

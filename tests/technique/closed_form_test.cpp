@@ -163,6 +163,24 @@ TEST(Convergence, AccumulationFallsAsOneOverRenders) {
     EXPECT_NEAR(slope(sampleCount, error), -1.0, 0.35);
 }
 
+/// N P^2 fixed times: each end of an interval is off by at most half of the time between two, slope -1.
+TEST(Convergence, InterleavedFallsAsOneOverItsTimes) {
+    const std::unique_ptr<Technique> technique = makeTechnique("interleaved", sharedRenderer().programs());
+    std::vector<double> sampleCount, error;
+    for (const auto& [strata, side] : {std::pair{1, 2}, {2, 2}, {1, 4}, {4, 2}, {2, 4}, {8, 2}}) {
+        setFromText(*technique, "pattern", std::to_string(side));
+        std::vector<double> means;
+        // Shifts that no power of two divides, so that the ends fall anywhere between two times.
+        for (int i = 0; i < 7; ++i)
+            means.push_back(measure(*sweptPointScene(-0.43 + 0.137 * i), *technique, strata, 2048, 1).mean);
+        sampleCount.push_back(strata * side * side);
+        error.push_back(rootMeanSquare(means, 0.6));
+        for (const double mean : means)
+            EXPECT_NEAR(mean, 0.6, 1.0 / sampleCount.back() + side * mapTolerance(2048)) << strata << ", " << side;
+    }
+    EXPECT_NEAR(slope(sampleCount, error), -1.0, 0.35);
+}
+
 /// Case 9 with a bias: a receiver that approaches the light by v per shutter is in its own shadow on
 /// 1/2 (1 - b N / v)^2 of the samples, b being the bias in world units; none where b N >= v.
 TEST(PredictedFailure, TsmSelfShadowFollowsItsFormula) {
@@ -185,6 +203,17 @@ TEST(PredictedFailure, TsmSelfShadowFollowsItsFormula) {
             EXPECT_NEAR(m.mean, 1.0 - shadow, samplingTolerance(0.5, strata, columns) + 0.01)
                 << strata << " strata, bias " << bias;
         }
+    }
+}
+
+/// Of a plane nothing shadows itself where and when a texel looks, whatever the bias.
+TEST(PredictedFailure, ThePlaneTestEndsTheSelfShadow) {
+    const ClosedFormCase& c = closedFormCase("approaching_self");
+    for (const char* name : {"tsm", "interleaved"}) {
+        const std::unique_ptr<Technique> technique = makeTechnique(name, sharedRenderer().programs());
+        setFromText(*technique, "plane_test", "on");
+        setFromText(*technique, "bias", "0.1");
+        EXPECT_NEAR(measure(*c.scene, *technique, 8, 1024, 3).mean, 1.0, 1e-6) << name;
     }
 }
 

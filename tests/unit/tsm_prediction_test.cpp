@@ -22,6 +22,19 @@ TEST(TsmPrediction, SelfShadowDependsOnTheBias) {
     EXPECT_GT(predicted("off", "32", 8), 0.6);
 }
 
+TEST(TsmPrediction, ThePlaneTestEndsTheSelfShadow) {
+    gl::ProgramCache programs;
+    const std::unique_ptr<Technique> technique = makeTechnique("tsm", programs);
+    setFromText(*technique, "plane_test", "on");
+    const auto lit = [&](const char* name) {
+        return expectationOf(closedFormCase(name), statementOf(*technique), 8, 512).litShare;
+    };
+    EXPECT_EQ(lit("approaching_self"), 1.0);
+    // And a real shadow stays: its ends are a random time of their stratum apart.
+    EXPECT_NEAR(lit("quad_sweeps_point"), 0.6, 0.02);
+    EXPECT_EQ(lit("static_all"), 0.0);
+}
+
 TEST(TsmPrediction, TheDynamicBiasEndsTheSelfShadow) {
     for (const char* form : {"both_times", "eq12"}) {
         EXPECT_NEAR(predicted(form, "0", 8), 1.0, 1e-9) << form;

@@ -42,6 +42,22 @@ class PointDepthPrediction final : public Prediction {
     }
 };
 
+/// `plane_test`: as far nearer or farther than the receiver as the caster is than the receiver's plane, seen through
+/// the texel's centre at the map's time; at the receiver's for a caster that is in the one map of what stands still.
+class PlaneTestPrediction final : public Prediction {
+  public:
+    std::optional<double> casterDistance(const ReceiverInMap& receiver, std::size_t caster, const glm::dvec2& position,
+                                         double u, double v) const override {
+        const TriangleInMap& triangle = receiver.triangles[caster];
+        const PlaneHit hit = hitOf(triangle, position, v);
+        if (!hit.inside || hit.distance <= receiver.nearDistance) return std::nullopt;
+        const bool standsStill = std::all_of(std::begin(triangle.corners), std::end(triangle.corners),
+                                             [](const PathInMap& corner) { return corner.open == corner.close; });
+        const PlaneHit plane = hitOf(receiver.triangles[receiver.own], position, standsStill ? u : v);
+        return hit.distance * receiver.path.at(u).z / plane.distance;
+    }
+};
+
 }  // namespace
 
 const TechniqueDescription& TsmShadow::describe() {
@@ -78,6 +94,9 @@ void TsmShadow::visitSettings(SettingsVisitor& visitor) {
         "saw, one test (Andersson et al. 2015, eq. 12, as it stands). both_times: at the rate at which the "
         "texel's depth changes, and the receiver's depth to the map's time as well, two tests (ours); it ends "
         "the self-shadow. Either costs one more map.");
+    visitor.toggle("plane_test", planeTest_, false,
+                   "Compares with the receiver's plane at the texel's centre and time, by the one bias: no slope bias, "
+                   "no dynamic bias, no second map (ours).");
     visitor.whole(
         "strata", strata_, 0, 0, maximumSamplesPerPixel, "layers",
         "Into how many strata of the shutter the map is cut, one layer each; 0: as many as a pixel has camera "
@@ -102,12 +121,18 @@ SamplingTraits TsmShadow::samplingTraits() const {
 }
 
 std::shared_ptr<const Prediction> TsmShadow::prediction() const {
-    switch (static_cast<DynamicBias>(dynamicBias_)) {
+    if (planeTest_) return std::make_shared<PlaneTestPrediction>();
+    switch (dynamicBias()) {
     case DynamicBias::Off: break;
     case DynamicBias::BothTimes: return std::make_shared<BothTimesPrediction>();
     case DynamicBias::PointDepth: return std::make_shared<PointDepthPrediction>();
     }
     return Technique::prediction();
+}
+
+std::vector<std::string> TsmShadow::warnings(const FramePlan&) const {
+    if (!planeTest_ || dynamicBias_ == 0) return {};
+    return {"dynamic_bias is left out: plane_test compares at the map's own time"};
 }
 
 std::uint32_t TsmShadow::strataOf(const FramePlan& plan) const {
@@ -156,14 +181,14 @@ void TsmShadow::build(const TechniqueFrame& frame) {
         depth_ = gl::Texture::array2D("tsm depth", GL_DEPTH_COMPONENT32F, size.width, size.height, layers);
     using Output = StochasticRasterizer::Output;
     static constexpr Output outputs[] = {Output::DepthOnly, Output::DepthRate, Output::DepthVelocity};
-    if (dynamicBias_ == 0)
+    if (dynamicBias() == DynamicBias::Off)
         velocity_.reset();
     else if (!fits(velocity_))
         velocity_ = gl::Texture::array2D("tsm depth velocity", GL_R32F, size.width, size.height, layers);
     if (!rasterizer_) rasterizer_.emplace(programs_);
     rasterizer_->draw(frame.mesh, frame.plan.light, {&frame.plan.light.dynamicTriangles},
-                      StochasticRasterizer::Role::Light, outputs[dynamicBias_], {strata, lengthOf(frame.plan)},
-                      velocity_ ? &*velocity_ : nullptr, *depth_);
+                      StochasticRasterizer::Role::Light, outputs[static_cast<int>(dynamicBias())],
+                      {strata, lengthOf(frame.plan)}, velocity_ ? &*velocity_ : nullptr, *depth_);
 }
 
 /// Of a stratum of the map, in u.
@@ -173,7 +198,8 @@ float TsmShadow::lengthOf(const FramePlan& plan) const {
 }
 
 LookupProgram TsmShadow::lookupProgram(const TechniqueFrame& frame, Casters) {
-    LookupProgram lookup{"tsm lookup", "techniques/tsm/lookup.frag", {}, {}};
+    LookupProgram lookup{
+        "tsm lookup", planeTest_ ? "techniques/tsm/plane_test.frag" : "techniques/tsm/lookup.frag", {}, {}};
     lookup.defines.emplace_back("PCF_RADIUS", fmt::format("{}", pcfRadius_));
     if (strata_ > 0) lookup.defines.emplace_back("OWN_STRATA", "1");
     lookup.inputs.texture("staticMap", *staticMap_).set("layers", strataOf(frame.plan));
@@ -182,8 +208,8 @@ LookupProgram TsmShadow::lookupProgram(const TechniqueFrame& frame, Casters) {
         lookup.defines.emplace_back("DYNAMIC_CASTERS", "1");
         lookup.inputs.texture("depthMap", *depth_);
     }
-    if (dynamicBias_ != 0) lookup.defines.emplace_back("DYNAMIC_BIAS", "1");
-    if (dynamicBias_ == static_cast<int>(DynamicBias::BothTimes)) lookup.defines.emplace_back("BOTH_TIMES", "1");
+    if (dynamicBias() != DynamicBias::Off) lookup.defines.emplace_back("DYNAMIC_BIAS", "1");
+    if (dynamicBias() == DynamicBias::BothTimes) lookup.defines.emplace_back("BOTH_TIMES", "1");
     if (velocity_) lookup.inputs.texture("velocityMap", *velocity_);
     return lookup;
 }

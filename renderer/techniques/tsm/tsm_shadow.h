@@ -16,6 +16,9 @@ namespace timeshade {
 /// without which a body that turns or slides along its own slopes still shadows itself: the map holds the rate at which
 /// the depth over the texel changes, not the velocity of the point that is there; and the receiver is compared at the
 /// map's time, too, since two surfaces that do not pass through each other keep their order.
+/// `plane_test` (ours) compares once, where and when the texel looks: with the plane of the receiver's triangle at the
+/// texel's centre and time. It needs no second map, takes the place of either dynamic bias and of the slope's bias, and
+/// ends the self-shadow of all that is plane.
 class TsmShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -26,6 +29,7 @@ class TsmShadow final : public Technique {
     Footprint footprint() const override;
     SamplingTraits samplingTraits() const override;
     std::shared_ptr<const Prediction> prediction() const override;
+    std::vector<std::string> warnings(const FramePlan& plan) const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
@@ -37,10 +41,13 @@ class TsmShadow final : public Technique {
     enum class DynamicBias { Off, BothTimes, PointDepth };  ///< in the order of the setting's choices
     std::uint32_t strataOf(const FramePlan& plan) const;
     float lengthOf(const FramePlan& plan) const;
+    /// That which is in use: a plane test needs none.
+    DynamicBias dynamicBias() const { return planeTest_ ? DynamicBias::Off : static_cast<DynamicBias>(dynamicBias_); }
 
     gl::ProgramCache& programs_;
     float bias_{}, slopeBias_{};
     int dynamicBias_{}, strata_{}, pcfRadius_{};
+    bool planeTest_{};
     std::optional<StochasticRasterizer> rasterizer_;
     std::optional<gl::Texture> depth_, velocity_;
     const gl::Texture* staticMap_ = nullptr;  ///< the frame's

@@ -6,26 +6,14 @@
 // equation 12). BOTH_TIMES: at the rate at which the texel's depth changes, instead of the material point's velocity,
 // and the receiver's depth is moved to the map's time as well.
 //
-// OWN_STRATA: the map's strata are not those of the camera samples. PCF_RADIUS: as in lib/pcf.glsl.
-// DYNAMIC_CASTERS: there are such.
+// PCF_RADIUS: as in lib/pcf.glsl. DYNAMIC_CASTERS: there are such.
 #include "lib/lookup.glsl"
 #include "lib/pcf.glsl"
+#include "techniques/tsm/layers.glsl"
 
-uniform sampler2DArray depthMap;
-uniform sampler2DArray staticMap;
 #ifdef DYNAMIC_BIAS
 uniform sampler2DArray velocityMap;
 #endif
-uniform uint layers;
-uniform float layerLength;  // u
-
-uint layerOf(float u) {
-#ifdef OWN_STRATA
-    return layerLength > 0.0 ? uint(clamp((u - frame.timeBase) / layerLength, 0.0, float(layers - 1u))) : 0u;
-#else
-    return stratum;
-#endif
-}
 
 // `rate`: of the receiver's own depth.
 bool shadowedInTexel(MapPoint m, float limit, float rate, float u) {
