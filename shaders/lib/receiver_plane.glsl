@@ -39,8 +39,9 @@ PlaneInView planeInView(PathInView path, float u) {
     return p;
 }
 
-// Where the line from the light through a map position meets the plane. A grazing plane is held where it rises by 32
-// texels within one, as depthBias holds it: there the depth says nothing any more, and the plane may not be met at all.
+// Where the line from the light through a map position meets the plane. One that falls away from the light by more than
+// 32 texels within one is held there, as depthBias holds it: it may not be met at all. What is nearer is not held: what
+// the map has of the triangle itself is never nearer than this.
 float planeDepth(PlaneInView p, vec2 position) {
     vec2 off = position - p.position;
     float most = 32.0 * texelWidth(p.depth) * dot(abs(off) * lightView.size, vec2(1.0));
@@ -53,5 +54,5 @@ float planeDepth(PlaneInView p, vec2 position) {
     bool isMet = along * p.towards > 0.0;
     rise *= p.depth / along;
 #endif
-    return p.depth + (isMet ? clamp(rise, -most, most) : most);
+    return p.depth + (isMet ? min(rise, most) : most);
 }

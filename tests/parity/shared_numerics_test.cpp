@@ -79,8 +79,7 @@ TEST_F(SharedNumerics, SamplePatternHasTheSameBits) {
     put(5, h.x); put(6, h.y); put(7, h.z);
     put(8, hashWord(w[3]));
     uint side = 1u + w[2] % 4u, phase = texelPhase(uvec2(w[0], w[1]), side);
-    put(9, phase);
-    put(10, phaseTime(phase, side));
+    put(9, phase); put(10, phaseTime(phase, side));
 )",
                                                        input, 10, 11);
     const bool software = sharedRenderer().device().software;
@@ -92,14 +91,13 @@ TEST_F(SharedNumerics, SamplePatternHasTheSameBits) {
             ASSERT_EQ(gpu[d], std::bit_cast<std::uint32_t>(p[d])) << "case " << i << ", dimension " << d;
         ASSERT_EQ(gpu[3], std::bit_cast<std::uint32_t>(shared::sampleTime(0.0f, 0.125f, c[2], p.z))) << "case " << i;
         // A length that is no power of two: the product is rounded, or not where it is joined with the sum.
-        ASSERT_LE(ulpsApart(asFloat(gpu[4]), shared::sampleTime(0.25f, 1.0f / 3.0f, c[2], p.z)), software ? 0u : 1u)
-            << "case " << i;
+        ASSERT_LE(ulpsApart(asFloat(gpu[4]), shared::sampleTime(0.25f, 1.0f / 3.0f, c[2], p.z)), software ? 0u : 1u);
         const glm::uvec3 h = shared::hashWords({c[3], c[0], c[4]});
         for (int d = 0; d < 3; ++d) ASSERT_EQ(gpu[5 + d], h[d]) << "case " << i;
         ASSERT_EQ(gpu[8], shared::hashWord(c[3])) << "case " << i;
         const std::uint32_t side = 1 + c[2] % 4, phase = shared::texelPhase({c[0], c[1]}, side);
-        ASSERT_EQ(gpu[9], phase) << "case " << i;
-        ASSERT_LE(ulpsApart(asFloat(gpu[10]), shared::phaseTime(phase, side)), software ? 0u : 1u) << "case " << i;
+        ASSERT_EQ(gpu[9], phase);
+        ASSERT_LE(ulpsApart(asFloat(gpu[10]), shared::phaseTime(phase, side)), software ? 0u : 1u);
     }
 }
 

@@ -53,7 +53,8 @@ ABOUT = {
     "tests/cli/outputs_test.py": ("accumulation",),
     "tests/cli/pictures_test.py": ("accumulation", "history", "static", "tsm"),
     "tests/cli/program.py": ("accumulation", "history"),
-    "tests/cli/record_test.py": ("accumulation", "exact", "history", "ranges", "static", "temporal", "tsm"),  # the tour
+    "tests/cli/record_test.py": ("accumulation", "exact", "history", "interleaved", "ranges", "static", "temporal",
+                                 "tsm"),  # the tour
     "tests/cli/refusals_test.py": ("accumulation", "exact", "static", "tsm"),
     "tests/cli/reports_test.py": ("accumulation", "exact", "history", "static", "tsm"),
     "tests/soak/soak.cpp": ("accumulation", "static"),

@@ -176,20 +176,20 @@ TEST(SamplePattern, PixelsAreSampledMoreEvenlyThanAtRandom) {
 }
 
 TEST(FixedTimes, EveryBlockHasEachPartOfTheStratumOnce) {
-    for (const unsigned side : {1u, 2u, 3u, 4u}) {
+    for (const unsigned block : {1u, 2u, 3u, 4u}) {
         for (const uvec2 corner : {uvec2(0, 0), uvec2(1, 0), uvec2(5, 7)}) {
             std::set<unsigned> parts;
-            for (unsigned y = 0; y < side; ++y)
-                for (unsigned x = 0; x < side; ++x) {
-                    const unsigned phase = shared::texelPhase(corner + uvec2(x, y), side);
-                    EXPECT_EQ(phase, shared::texelPhase(corner + uvec2(x + side, y + 3 * side), side));
-                    // The centre of one of side^2 equal parts.
-                    const double part = static_cast<double>(shared::phaseTime(phase, side)) * side * side;
+            for (unsigned y = 0; y < block; ++y)
+                for (unsigned x = 0; x < block; ++x) {
+                    const unsigned phase = shared::texelPhase(corner + uvec2(x, y), block);
+                    EXPECT_EQ(phase, shared::texelPhase(corner + uvec2(x + block, y + 3 * block), block));
+                    // The centre of one of block^2 equal parts.
+                    const double part = static_cast<double>(shared::phaseTime(phase, block)) * block * block;
                     EXPECT_NEAR(part - std::floor(part), 0.5, 1e-6);
                     parts.insert(static_cast<unsigned>(part));
                 }
-            EXPECT_EQ(parts.size(), side * side);
-            EXPECT_EQ(*parts.rbegin(), side * side - 1);
+            EXPECT_EQ(parts.size(), block * block);
+            EXPECT_EQ(*parts.rbegin(), block * block - 1);
         }
     }
 }

@@ -77,15 +77,15 @@ float InterleavedShadow::lengthOf(const FramePlan& plan) const {
 
 std::vector<PassDecision> InterleavedShadow::passes(const FramePlan& plan) const {
     std::vector<PassDecision> passes;
-    passes.push_back({"build/static map",
-                      "one map of what stands still in the light's frame, with its triangles, kept until something of "
-                      "it changes",
-                      plan.light.staticTriangles.count()});
+    if (!plan.light.staticTriangles.empty())
+        passes.push_back({"build/static map",
+                          "one map of what stands still in the light's frame, kept until something of it changes",
+                          plan.light.staticTriangles.count()});
     if (!plan.light.dynamicTriangles.empty())
         passes.push_back(
             {"build/strata",
-             fmt::format("{} map layers, one a slice, of what moves in the light's frame, with its "
-                         "triangles; {} fixed times in each, by texel; {} triangles never reach the map, "
+             fmt::format("{} map layers, one a slice, of what moves in the light's frame; "
+                         "{} fixed times in each, by texel; {} triangles never reach the map, "
                          "the shadows of {} are never seen",
                          strataOf(plan), pattern_ * pattern_, plan.light.outsideTriangles, plan.light.unseenTriangles),
              plan.light.dynamicTriangles.count()});
@@ -98,11 +98,8 @@ std::vector<PassDecision> InterleavedShadow::passes(const FramePlan& plan) const
 }
 
 void InterleavedShadow::build(const TechniqueFrame& frame) {
-    {
-        const auto timed = frame.timer.scope("build/static map");
-        staticMap_ = &frame.maps.ofStaticTriangles();
-    }
     layers_ = strataOf(frame.plan);
+    buildStatic(frame);
     if (frame.plan.light.dynamicTriangles.empty()) {
         depth_.reset();
         triangles_.reset();
@@ -112,14 +109,34 @@ void InterleavedShadow::build(const TechniqueFrame& frame) {
     const auto timed = frame.timer.scope("build/strata");
     const MapSize size = frame.plan.request.mapSize;
     const int layers = static_cast<int>(layers_);
-    if (!depth_ || MapSize(depth_->width(), depth_->height()) != size || depth_->layers() != layers) {
+    const auto fits = [&](const std::optional<gl::Texture>& map) {
+        return map && MapSize(map->width(), map->height()) == size && map->layers() == layers;
+    };
+    if (!fits(depth_))
         depth_ = gl::Texture::array2D("interleaved depth", GL_DEPTH_COMPONENT32F, size.width, size.height, layers);
+    if (planeTest_)
+        triangles_.reset();
+    else if (!fits(triangles_))
         triangles_ = gl::Texture::array2D("interleaved triangles", GL_R32UI, size.width, size.height, layers);
-    }
     if (!rasterizer_) rasterizer_.emplace(programs_);
+    using Output = StochasticRasterizer::Output;
     rasterizer_->draw(frame.mesh, frame.plan.light, {&frame.plan.light.dynamicTriangles},
-                      StochasticRasterizer::Role::Light, StochasticRasterizer::Output::TriangleId,
-                      {layers_, lengthOf(frame.plan), pattern_}, &*triangles_, *depth_);
+                      StochasticRasterizer::Role::Light, planeTest_ ? Output::DepthOnly : Output::TriangleId,
+                      {layers_, lengthOf(frame.plan), pattern_}, triangles_ ? &*triangles_ : nullptr, *depth_);
+}
+
+/// Where nothing stands still in the light's frame there is no such map.
+void InterleavedShadow::buildStatic(const TechniqueFrame& frame) {
+    staticDepth_ = staticTriangles_ = nullptr;
+    if (frame.plan.light.staticTriangles.empty()) return;
+    const auto timed = frame.timer.scope("build/static map");
+    if (planeTest_) {
+        staticDepth_ = &frame.maps.ofStaticCasters(LightMaps::Coverage::Exact);
+        return;
+    }
+    const StaticMap& map = frame.maps.ofStaticTriangles();
+    staticDepth_ = &map.depth();
+    staticTriangles_ = &map.triangles();
 }
 
 LookupProgram InterleavedShadow::lookupProgram(const TechniqueFrame& frame, Casters casters) {
@@ -131,10 +148,15 @@ LookupProgram InterleavedShadow::lookupProgram(const TechniqueFrame& frame, Cast
         lookup.defines.emplace_back("OWN_STRATA", "1");
         lookup.inputs.set("layers", layers_).set("layerLength", lengthOf(frame.plan));
     }
-    lookup.inputs.texture("staticMap", staticMap_->depth()).texture("staticTriangles", staticMap_->triangles());
+    if (staticDepth_ != nullptr) {
+        lookup.defines.emplace_back("STATIC_CASTERS", "1");
+        lookup.inputs.texture("staticMap", *staticDepth_);
+        if (staticTriangles_ != nullptr) lookup.inputs.texture("staticTriangles", *staticTriangles_);
+    }
     if (depth_ && casters == Casters::All) {
         lookup.defines.emplace_back("DYNAMIC_CASTERS", "1");
-        lookup.inputs.texture("depthMap", *depth_).texture("triangleMap", *triangles_);
+        lookup.inputs.texture("depthMap", *depth_);
+        if (triangles_) lookup.inputs.texture("triangleMap", *triangles_);
     }
     return lookup;
 }
@@ -148,7 +170,8 @@ std::vector<const gl::Texture*> InterleavedShadow::textures() const {
 }
 
 std::size_t InterleavedShadow::bytes() const {
-    return (depth_ ? depth_->bytes() + triangles_->bytes() : 0) + (rasterizer_ ? rasterizer_->bytes() : 0);
+    return (depth_ ? depth_->bytes() : 0) + (triangles_ ? triangles_->bytes() : 0) +
+           (rasterizer_ ? rasterizer_->bytes() : 0);
 }
 
 TechniqueEntry interleavedTechnique() { return entryOf<InterleavedShadow>(); }

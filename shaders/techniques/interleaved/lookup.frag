@@ -3,15 +3,17 @@
 // the phase's texel that is nearest to it, and the tests are averaged: casters and receiver are seen at the same times.
 //
 // PLANE_TEST: against the depth of the receiver's plane at the texel's centre. OWN_STRATA: the map's slices are not
-// the strata of the camera samples; those that overlap the sample's count by how much they do. PCF_RADIUS: as in lib/pcf.glsl, among texels of one phase. DYNAMIC_CASTERS: there
-// are such.
+// the strata of the camera samples; those that overlap the sample's count by how much they do. PCF_RADIUS: as in
+// lib/pcf.glsl, among texels of one phase. STATIC_CASTERS, DYNAMIC_CASTERS: there are such.
 #include "lib/lookup.glsl"
 #include "lib/pcf.glsl"
 #include "lib/receiver_plane.glsl"
 #include "shared/shutter_response.shared.h"
 
+#ifdef STATIC_CASTERS
 uniform sampler2DArray staticMap;
 uniform usampler2DArray staticTriangles;
+#endif
 #ifdef DYNAMIC_CASTERS
 uniform sampler2DArray depthMap;
 uniform usampler2DArray triangleMap;
@@ -32,6 +34,14 @@ ivec2 nearestTexel(vec2 position, uint phase) {
     return texel - PATTERN * beyond;
 }
 
+// The receiver's own triangle is left out. Where its plane is tested it is so without a look at its number: it is as far
+// as its plane, and its plane is farther than the limit.
+#ifdef PLANE_TEST
+#define isOwn(triangles, layer) false
+#else
+#define isOwn(triangles, layer) (texelFetch(triangles, ivec3(texel, layer), 0).x == own)
+#endif
+
 bool shadowedInTexel(PlaneInView p, ivec2 texel, uint own, uint layer) {
     if (!insideMap(texel)) return false;
 #ifdef PLANE_TEST
@@ -40,15 +50,15 @@ bool shadowedInTexel(PlaneInView p, ivec2 texel, uint own, uint layer) {
     float depth = p.depth;
 #endif
     float limit = depth - setting.bias * texelWidth(depth);
-    if (limit > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x) &&
-        texelFetch(staticTriangles, ivec3(texel, 0), 0).x != own)
-        return true;
-#ifdef DYNAMIC_CASTERS
-    if (limit > mapDistance(texelFetch(depthMap, ivec3(texel, layer), 0).x) &&
-        texelFetch(triangleMap, ivec3(texel, layer), 0).x != own)
-        return true;
+    bool shadowed = false;
+#ifdef STATIC_CASTERS
+    shadowed = limit > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x) && !isOwn(staticTriangles, 0);
 #endif
-    return false;
+#ifdef DYNAMIC_CASTERS
+    float casterDepth = mapDistance(texelFetch(depthMap, ivec3(texel, layer), 0).x);
+    shadowed = shadowed || (limit > casterDepth && !isOwn(triangleMap, layer));
+#endif
+    return shadowed;
 }
 
 float litInPhase(PlaneInView p, uint own, uint phase, uint layer) {
