@@ -31,6 +31,7 @@ page static 400 130 octopus --camera reef --frame 96 --map 512 -- --technique st
 page tsm 330 80 pillars --frame 11 --map 512 -- --technique tsm -- --technique exact
 page deep 270 150 pillars --frame 11 --map 512 -- --technique deep -- --technique exact
 page layers 390 130 octopus --camera reef --frame 96 --map 512 -- --technique tsm -- --technique layers
+page interleaved 200 100 pillars --frame 11 --map 256 -- --technique interleaved -- --technique exact
 page temporal 250 170 pillars --camera between --frame 12 --map 256 -- --technique temporal -- --technique exact
 page ranges 250 170 pillars --camera between --frame 12 --map 256 -- --technique ranges -- --technique exact
 page history 60 150 chess --camera knight --frame 20 --map 256 -- --technique history -- --technique exact
