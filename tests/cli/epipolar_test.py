@@ -31,7 +31,7 @@ class Epipolar(ProgramTest):
             pictures.append((self.folder / "F.png").read_bytes())
         self.assertEqual(pictures[0], pictures[1])
         self.assertEqual(pictures[0], pictures[2])
-        self.assertGreater(Picture(pictures[0]).share_of_pixels_off(Picture(pictures[3]), 8), 0.1)
+        self.assertGreater(Picture(pictures[0]).share_of_pixels_off(Picture(pictures[3]), 8), 0.01)
 
     def test_what_is_refused(self):
         command = ("epipolar", "crossing", *QUICK, "-o", "F.png")

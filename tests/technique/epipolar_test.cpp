@@ -132,7 +132,8 @@ TEST(Epipolar, CandidatesCoverTheTruth) {
         nearest = std::min(nearest, view.truth[i].depth);
     }
     EXPECT_GT(quads, 1000u);
-    for (const double depth : stored) ASSERT_GT(depth, 0.97 * nearest) << "far nearer than anything";
+    // A bound is of a whole triangle, whose nearest corner may lie beside the line.
+    for (const double depth : stored) ASSERT_GT(depth, 0.9 * nearest) << "far nearer than anything";
 }
 
 TEST(Epipolar, FollowsAPixelsReceivers) {
