@@ -90,20 +90,16 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
         glViewport(0, -firstRow, depth.width(), static_cast<GLsizei>(view.block.size.y));
         if (!start) clear(output, color != nullptr);
         for (const Uploaded& list : uploaded_) {
+            gl::Inputs inputs;
+            inputs.set("stratum", stratum).set("stratumLength", strata.length).set("firstRow", firstRow);
             if (list.smallCount > 0) {
-                points.use();
-                points.set("stratum", stratum);
-                points.set("stratumLength", strata.length);
-                points.set("firstRow", firstRow);
+                points.use(inputs);
                 glVertexArrayElementBuffer(mesh.trianglesAsVertices().name(), list.small->name());
                 glBindVertexArray(mesh.trianglesAsVertices().name());
                 glDrawElements(GL_POINTS, static_cast<GLsizei>(list.smallCount), GL_UNSIGNED_INT, nullptr);
             }
             if (list.largeCount > 0) {
-                rectangles.use();
-                rectangles.set("stratum", stratum);
-                rectangles.set("stratumLength", strata.length);
-                rectangles.set("firstRow", firstRow);
+                rectangles.use(inputs);
                 list.largeView->bind(LARGE_TRIANGLES_UNIT);
                 glBindVertexArray(none_.name());
                 glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.largeCount));

@@ -19,7 +19,8 @@ ORDINARY = {
     "app/cases.cpp": ("exact",),  # the exact value of a case
     "renderer/measure/case_picture.cpp": ("exact",),
     "renderer/passes/light_maps.cpp": ("static",),  # static casters
-    "renderer/techniques/tsm/tsm_shadow.cpp": ("layers",),  # of a texture
+    "renderer/techniques/interleaved/interleaved_shadow.cpp": ("layers",),  # of a texture
+    "renderer/techniques/tsm/tsm_shadow.cpp": ("layers",),
     "tests/parity/technique_views_test.cpp": ("static",),
 }
 

@@ -50,7 +50,7 @@ void LayersShadow::visitSettings(SettingsVisitor& visitor) {
                    "Size of a tile in texels. 8x8: window of 16, grid of 16 x 16. 4x4: window of 12, grid of 8 x 8; "
                    "finer, twice the work.");
     visitor.whole("count", layers_, 4, 1, 4, "layers", "Largest number of layers a tile is cut into.");
-    visitor.whole("shown_layer", shownLayer_, 1, 1, 4, "", "Which layer views show, counted from the light.");
+    visitor.whole("shown_layer", shownLayer_, 1, 1, 4, "layer", "Which layer views show, counted from the light.");
     visitor.toggle("neighbour_tiles", neighbourTiles_, true,
                    "Near a tile's border the neighbouring tile may answer, by chance: hides borders.");
     visitor.toggle("v_filter", filterAcross_, true,

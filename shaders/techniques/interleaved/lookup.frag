@@ -34,8 +34,8 @@ ivec2 nearestTexel(vec2 position, uint phase) {
     return texel - PATTERN * beyond;
 }
 
-// The receiver's own triangle is left out. Where its plane is tested it is so without a look at its number: it is as far
-// as its plane, and its plane is farther than the limit.
+// The receiver's own triangle is left out. Where its plane is tested it is so without a look at its number: it is as
+// far as its plane, and its plane is farther than the limit.
 #ifdef PLANE_TEST
 #define isOwn(triangles, layer) false
 #else
