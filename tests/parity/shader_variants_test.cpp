@@ -275,13 +275,15 @@ void theFramesDrawnHadEveryVariant() {
                      {std::pair{"", ""}, {"DYNAMIC_BIAS=1", ""}, {"DYNAMIC_BIAS=1", "BOTH_TIMES=1"}})
                     has("techniques/tsm/lookup.frag",
                         joined({turns, orthographic, bias, times, "DYNAMIC_CASTERS=1", radius}));
+            // What the turning camera looks at all moves in the spot's frame.
+            const std::string still = turns.empty() || !orthographic.empty() ? "STATIC_CASTERS=1" : "";
             for (const std::string radius : {"PCF_RADIUS=0", "PCF_RADIUS=1"}) {
                 has("techniques/tsm/plane_test.frag", joined({turns, orthographic, "DYNAMIC_CASTERS=1", radius}));
                 for (const std::string side : {"PATTERN=1", "PATTERN=2"})
                     for (const std::string plane : {"", "PLANE_TEST=1"})
                         has("techniques/interleaved/lookup.frag",
-                            joined({turns, orthographic, side, plane, "FOOTPRINT_STRATUM=1", "DYNAMIC_CASTERS=1",
-                                    radius}));
+                            joined({turns, orthographic, side, plane, still, "FOOTPRINT_STRATUM=1",
+                                    "DYNAMIC_CASTERS=1", radius}));
             }
         }
         for (const std::string view : {"", "VIEW_VISIBILITY=1"})
