@@ -282,8 +282,8 @@ void theFramesDrawnHadEveryVariant() {
                 for (const std::string side : {"PATTERN=1", "PATTERN=2"})
                     for (const std::string plane : {"", "PLANE_TEST=1"})
                         has("techniques/interleaved/lookup.frag",
-                            joined({turns, orthographic, side, plane, still, "FOOTPRINT_STRATUM=1",
-                                    "DYNAMIC_CASTERS=1", radius}));
+                            joined({turns, orthographic, side, plane, still, "FOOTPRINT_STRATUM=1", "DYNAMIC_CASTERS=1",
+                                    radius}));
             }
         }
         for (const std::string view : {"", "VIEW_VISIBILITY=1"})

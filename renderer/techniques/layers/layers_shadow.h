@@ -28,7 +28,9 @@ class LayersShadow final : public Technique {
     Footprint footprint() const override;
     SamplingTraits samplingTraits() const override;
     std::shared_ptr<const Prediction> prediction() const override;
-    bool separatesStaticCasters() const override { return !asPublished_; }
+    /// Its filter reaches beyond where dynamic casters can shadow anything, so a frame may not tell by those what to
+    /// draw anew.
+    bool separatesStaticCasters() const override { return false; }
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
