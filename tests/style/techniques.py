@@ -38,7 +38,7 @@ ABOUT = {
     "tests/technique/closed_form_test.cpp": ("accumulation", "history", "interleaved", "tsm"),
     "tests/technique/history_converged_test.cpp": ("static",),
     "tests/technique/history_moving_test.cpp": ("static",),
-    "tests/technique/metamorphic_test.cpp": ("accumulation", "history"),
+    "tests/technique/metamorphic_test.cpp": ("accumulation", "history", "layers"),
     "tests/technique/reference_technique_test.cpp": ("tsm",),
     "tests/technique/epipolar_test.cpp": ("accumulation", "exact", "ranges", "static", "temporal", "tsm"),
     "tests/technique/shutter_response_test.cpp": ("accumulation", "exact"),
