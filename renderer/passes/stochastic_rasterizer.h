@@ -36,6 +36,15 @@ class StochasticRasterizer {
         int timePattern = 0;
         /// As the frame's camera samples have them.
         static Strata ofSamples(const FramePlan& plan) { return {plan.block.strata, plan.block.timeScale, 0}; }
+        /// Of a map that cuts the same time into `strata` of its own; 0: into those of the camera samples.
+        static Strata ofMap(const FramePlan& plan, int strata, int timePattern = 0) {
+            Strata map = ofSamples(plan);
+            map.timePattern = timePattern;
+            if (strata == 0) return map;
+            map.length = map.length * static_cast<float>(map.count) / static_cast<float>(strata);
+            map.count = static_cast<std::uint32_t>(strata);
+            return map;
+        }
     };
 
     /// What the layers hold before anything is drawn, instead of nothing: the same layers of other textures. `touched`

@@ -80,7 +80,7 @@ class Technique : public HasSettings {
     /// negative where there is nothing to show.
     virtual void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values);
     /// What build left along a line of the light's map, in x and u: what the epipolar view draws. With the frame of the
-    /// last build; of a frame that is drawn as several renders it is asked after each. May wait for the device. A
+    /// last build; of a frame that is drawn as several renders it is called after each. May wait for the device. A
     /// technique that overrides nothing is shown as one that stores nothing.
     virtual StoredAlongLine storedAlong(const TechniqueFrame&, const MapLine&) { return {}; }
     /// What was counted in the frame drawn last. May wait for the device.

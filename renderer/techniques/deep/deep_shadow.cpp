@@ -140,10 +140,7 @@ void DeepShadow::drawView(const TechniqueFrame& frame, const std::string& name, 
     map_->addInputs(inputs);
     program.use(inputs);
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    if (!viewTarget_) viewTarget_.emplace("deep view target");
-    viewTarget_->setColorCount(1);
-    viewTarget_->attach(GL_COLOR_ATTACHMENT0, values);
-    viewTarget_->bindForDrawing(values.width(), values.height());
+    viewTarget_.bind(values);
     frame.fullscreen.draw(program);
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "technique/technique.h"
+#include "technique/view_target.h"
 #include "techniques/deep/visibility_map.h"
 
 namespace timeshade {
@@ -49,7 +50,7 @@ class DeepShadow final : public Technique {
     float error_{}, bias_{}, slopeBias_{};
     int times_{}, pcfRadius_{};
     std::optional<VisibilityMap> map_;
-    std::optional<gl::Framebuffer> viewTarget_;
+    ViewTarget viewTarget_;
     const gl::Texture* staticMap_ = nullptr;  ///< the frame's
 };
 

@@ -177,12 +177,9 @@ void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name,
     program.use(lookup.inputs);
     program.set("share", 1.0f / static_cast<float>(frame.plan.block.strata));
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    if (!viewTarget_) viewTarget_.emplace("candidates view target");
-    viewTarget_->setColorCount(1);
-    viewTarget_->attach(GL_COLOR_ATTACHMENT0, values);
-    viewTarget_->bindForDrawing(values.width(), values.height());
+    const gl::Framebuffer& target = viewTarget_.bind(values);
     const std::array<GLfloat, 4> zero{};
-    glClearNamedFramebufferfv(viewTarget_->name(), GL_COLOR, 0, zero.data());
+    glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, zero.data());
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {

@@ -4,6 +4,7 @@
 
 #include "culling/caster_culling.h"
 #include "technique/technique.h"
+#include "technique/view_target.h"
 #include "techniques/exact/candidate_grid.h"
 
 namespace timeshade {
@@ -67,7 +68,7 @@ class ExactShadow final : public Technique {
     CandidateGridSize wantedDynamic_;
     std::optional<CandidateGrid> dynamic_;  ///< none where nothing is dynamic in the light's frame
     const StaticLists* static_ = nullptr;   ///< the frame's; none where nothing is static in the light's frame
-    std::optional<gl::Framebuffer> viewTarget_;
+    ViewTarget viewTarget_;
 };
 
 }  // namespace timeshade

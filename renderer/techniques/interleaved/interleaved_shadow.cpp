@@ -67,16 +67,6 @@ std::shared_ptr<const Prediction> InterleavedShadow::prediction() const {
         InterleavedPrediction::Form{pattern_, strata_, pcfRadius_, static_cast<double>(bias_), planeTest_});
 }
 
-std::uint32_t InterleavedShadow::strataOf(const FramePlan& plan) const {
-    return strata_ > 0 ? static_cast<std::uint32_t>(strata_) : plan.block.strata;
-}
-
-/// Of a slice, in u.
-float InterleavedShadow::lengthOf(const FramePlan& plan) const {
-    if (strata_ == 0) return plan.block.timeScale;
-    return plan.block.timeScale * static_cast<float>(plan.block.strata) / static_cast<float>(strata_);
-}
-
 std::vector<PassDecision> InterleavedShadow::passes(const FramePlan& plan) const {
     std::vector<PassDecision> passes;
     if (!plan.light.staticTriangles.empty())
@@ -84,13 +74,13 @@ std::vector<PassDecision> InterleavedShadow::passes(const FramePlan& plan) const
                           "one map of what stands still in the light's frame, kept until something of it changes",
                           plan.light.staticTriangles.count()});
     if (!plan.light.dynamicTriangles.empty())
-        passes.push_back(
-            {"build/strata",
-             fmt::format("{} map layers, one a slice, of what moves in the light's frame; "
-                         "{} fixed times in each, by texel; {} triangles never reach the map, "
-                         "the shadows of {} are never seen",
-                         strataOf(plan), pattern_ * pattern_, plan.light.outsideTriangles, plan.light.unseenTriangles),
-             plan.light.dynamicTriangles.count()});
+        passes.push_back({"build/strata",
+                          fmt::format("{} map layers, one a slice, of what moves in the light's frame; "
+                                      "{} fixed times in each, by texel; {} triangles never reach the map, "
+                                      "the shadows of {} are never seen",
+                                      strataOf(plan).count, pattern_ * pattern_, plan.light.outsideTriangles,
+                                      plan.light.unseenTriangles),
+                          plan.light.dynamicTriangles.count()});
     passes.push_back({"lookup",
                       fmt::format("each camera sample's surface point, taken to the {} times of its slice, against the "
                                   "nearest texel of each",
@@ -100,7 +90,7 @@ std::vector<PassDecision> InterleavedShadow::passes(const FramePlan& plan) const
 }
 
 void InterleavedShadow::build(const TechniqueFrame& frame) {
-    layers_ = strataOf(frame.plan);
+    layers_ = strataOf(frame.plan).count;
     buildStatic(frame);
     if (frame.plan.light.dynamicTriangles.empty()) {
         depth_.reset();
@@ -124,7 +114,7 @@ void InterleavedShadow::build(const TechniqueFrame& frame) {
     using Output = StochasticRasterizer::Output;
     rasterizer_->draw(frame.mesh, frame.plan.light, {&frame.plan.light.dynamicTriangles},
                       StochasticRasterizer::Role::Light, planeTest_ ? Output::DepthOnly : Output::TriangleId,
-                      {layers_, lengthOf(frame.plan), pattern_}, triangles_ ? &*triangles_ : nullptr, *depth_);
+                      strataOf(frame.plan), triangles_ ? &*triangles_ : nullptr, *depth_);
 }
 
 /// Where nothing stands still in the light's frame there is no such map.
@@ -148,7 +138,7 @@ LookupProgram InterleavedShadow::lookupProgram(const TechniqueFrame& frame, Cast
     if (planeTest_) lookup.defines.emplace_back("PLANE_TEST", "1");
     if (strata_ > 0) {
         lookup.defines.emplace_back("OWN_STRATA", "1");
-        lookup.inputs.set("layers", layers_).set("layerLength", lengthOf(frame.plan));
+        lookup.inputs.set("layers", layers_).set("layerLength", strataOf(frame.plan).length);
     }
     if (staticDepth_ != nullptr) {
         lookup.defines.emplace_back("STATIC_CASTERS", "1");

@@ -36,8 +36,9 @@ class InterleavedShadow final : public Technique {
     std::size_t bytes() const override;
 
   private:
-    std::uint32_t strataOf(const FramePlan& plan) const;
-    float lengthOf(const FramePlan& plan) const;
+    StochasticRasterizer::Strata strataOf(const FramePlan& plan) const {
+        return StochasticRasterizer::Strata::ofMap(plan, strata_, pattern_);
+    }
     void buildStatic(const TechniqueFrame& frame);
 
     gl::ProgramCache& programs_;

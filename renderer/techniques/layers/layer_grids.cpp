@@ -63,7 +63,7 @@ void LayerGrids::build(const TechniqueFrame& frame, const Options& options, cons
     for (const auto& define : defines(options)) given.push_back(define);
     gl::Inputs inputs;
     inputs.texture("sampleDepth", samples.depth).texture("sampleMotion", samples.motion);
-    inputs.set("strata", samples.strata);
+    inputs.set("strata", samples.strata.count);
     {
         const auto timed = frame.timer.scope("build/layers");
         gl::Inputs of = inputs;
@@ -81,7 +81,7 @@ void LayerGrids::build(const TechniqueFrame& frame, const Options& options, cons
     }
     const auto timed = frame.timer.scope("build/reprojection");
     if (options.filterAcross) given.emplace_back("V_FILTER", "1");
-    inputs.texture("grids", *grids_).set("sampleLength", samples.length);
+    inputs.texture("grids", *grids_).set("sampleLength", samples.strata.length);
     inputs.texture("layerMotion", *motion_).texture("layerDepth", *depth_);
     programs_.get({.label = "layer grids", .defines = given, .compute = "techniques/layers/deposit.comp"}).use(inputs);
     gl::dispatch(static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y));

@@ -4,6 +4,7 @@
 
 #include "gl/program_cache.h"
 #include "gl/texture.h"
+#include "passes/stochastic_rasterizer.h"
 #include "technique/technique_frame.h"
 
 namespace timeshade {
@@ -27,12 +28,11 @@ class LayerGrids {
         int layers;         ///< 1 to 4
         bool operator==(const Options&) const = default;
     };
-    /// One layer of `depth` and `motion` a stratum, `length` long each, in u.
+    /// One layer of `depth` and `motion` a stratum.
     struct Samples {
         const gl::Texture& depth;
         const gl::Texture& motion;
-        std::uint32_t strata;
-        float length;
+        StochasticRasterizer::Strata strata;
     };
 
     explicit LayerGrids(gl::ProgramCache& programs) : programs_(programs) {}

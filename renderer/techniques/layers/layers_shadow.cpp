@@ -79,15 +79,6 @@ std::shared_ptr<const Prediction> LayersShadow::prediction() const {
         LayersPrediction::Options{optionsOf(), equation9Alone_, neighbourTiles_, strata_, static_cast<double>(bias_)});
 }
 
-std::uint32_t LayersShadow::strataOf(const FramePlan& plan) const {
-    return strata_ > 0 ? static_cast<std::uint32_t>(strata_) : plan.block.strata;
-}
-
-/// Of a stratum of the map, in u.
-float LayersShadow::lengthOf(const FramePlan& plan) const {
-    return plan.block.timeScale * static_cast<float>(plan.block.strata) / static_cast<float>(strataOf(plan));
-}
-
 LayerGrids::Options LayersShadow::optionsOf() const { return {shapes[tiles_], asPublished_, filterAcross_, layers_}; }
 
 bool LayersShadow::hasCasters(const FramePlan& plan) const {
@@ -107,7 +98,7 @@ std::vector<PassDecision> LayersShadow::passes(const FramePlan& plan) const {
         passes.push_back({"build/samples",
                           fmt::format("{} map layers, one a stratum, each texel at its own random time, with the "
                                       "motion of what it sees",
-                                      strataOf(plan)),
+                                      strataOf(plan).count),
                           triangles});
         passes.push_back({"build/layers",
                           fmt::format("up to {} layers of depth for each tile of {} x {} texels, of the samples in a "
@@ -138,12 +129,12 @@ void LayersShadow::build(const TechniqueFrame& frame) {
         return;
     }
     const MapSize size = frame.plan.request.mapSize;
-    const std::uint32_t strata = strataOf(frame.plan);
+    const StochasticRasterizer::Strata strata = strataOf(frame.plan);
     {
         const auto timed = frame.timer.scope("build/samples");
         if (!depth_ || MapSize(depth_->width(), depth_->height()) != size ||
-            depth_->layers() != static_cast<int>(strata)) {
-            const auto count = static_cast<int>(strata);
+            depth_->layers() != static_cast<int>(strata.count)) {
+            const auto count = static_cast<int>(strata.count);
             depth_ = gl::Texture::array2D("layers' samples", GL_DEPTH_COMPONENT32F, size.width, size.height, count);
             motion_ = gl::Texture::array2D("layers' motions", GL_RGBA32F, size.width, size.height, count);
         }
@@ -152,11 +143,10 @@ void LayersShadow::build(const TechniqueFrame& frame) {
         rasterizer_->draw(
             frame.mesh, frame.plan.light,
             {&frame.plan.light.dynamicTriangles, asPublished_ ? &frame.plan.light.staticTriangles : &none},
-            StochasticRasterizer::Role::Light, StochasticRasterizer::Output::Motion, {strata, lengthOf(frame.plan)},
-            &*motion_, *depth_);
+            StochasticRasterizer::Role::Light, StochasticRasterizer::Output::Motion, strata, &*motion_, *depth_);
     }
     if (!grids_) grids_.emplace(programs_);
-    grids_->build(frame, optionsOf(), {*depth_, *motion_, strata, lengthOf(frame.plan)});
+    grids_->build(frame, optionsOf(), {*depth_, *motion_, strata});
 }
 
 LookupProgram LayersShadow::lookupProgram(const TechniqueFrame& frame, Casters) {
@@ -168,7 +158,9 @@ LookupProgram LayersShadow::lookupProgram(const TechniqueFrame& frame, Casters) 
     if (grids_) {
         lookup.defines.emplace_back("DYNAMIC_CASTERS", "1");
         lookup.inputs.texture("sampleDepth", *depth_).texture("sampleMotion", *motion_);
-        lookup.inputs.set("strata", strataOf(frame.plan)).set("sampleLength", lengthOf(frame.plan));
+        const StochasticRasterizer::Strata strata = strataOf(frame.plan);
+        lookup.inputs.set("layers", strata.count).set("layerLength", strata.length);
+        if (strata_ > 0) lookup.defines.emplace_back("OWN_STRATA", "1");
         grids_->addInputs(lookup.inputs);
     }
     return lookup;
@@ -190,13 +182,10 @@ void LayersShadow::drawView(const TechniqueFrame& frame, const std::string& name
                                                              {"direction", "VIEW_DIRECTION"}};
     const auto variant = variants.find(name);
     if (variant == variants.end()) return Technique::drawView(frame, name, values);
-    if (!viewTarget_) viewTarget_.emplace("layers view target");
-    viewTarget_->setColorCount(1);
-    viewTarget_->attach(GL_COLOR_ATTACHMENT0, values);
-    viewTarget_->bindForDrawing(values.width(), values.height());
+    const gl::Framebuffer& target = viewTarget_.bind(values);
     if (!grids_) {
         const std::array<GLfloat, 4> nothing{-1.0f};
-        glClearNamedFramebufferfv(viewTarget_->name(), GL_COLOR, 0, nothing.data());
+        glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, nothing.data());
         return;
     }
     gl::ShaderDefines defines = frame.defines();

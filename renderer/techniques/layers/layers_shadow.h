@@ -4,6 +4,7 @@
 
 #include "passes/stochastic_rasterizer.h"
 #include "technique/technique.h"
+#include "technique/view_target.h"
 #include "techniques/layers/layer_grids.h"
 
 namespace timeshade {
@@ -40,8 +41,9 @@ class LayersShadow final : public Technique {
     std::size_t bytes() const override;
 
   private:
-    std::uint32_t strataOf(const FramePlan& plan) const;
-    float lengthOf(const FramePlan& plan) const;
+    StochasticRasterizer::Strata strataOf(const FramePlan& plan) const {
+        return StochasticRasterizer::Strata::ofMap(plan, strata_);
+    }
     LayerGrids::Options optionsOf() const;
     bool hasCasters(const FramePlan& plan) const;
 
@@ -52,7 +54,7 @@ class LayersShadow final : public Technique {
     std::optional<StochasticRasterizer> rasterizer_;
     std::optional<gl::Texture> depth_, motion_;
     std::optional<LayerGrids> grids_;
-    std::optional<gl::Framebuffer> viewTarget_;
+    ViewTarget viewTarget_;
     const gl::Texture* staticMap_ = nullptr;  ///< the frame's
 };
 

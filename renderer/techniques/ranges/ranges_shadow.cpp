@@ -169,10 +169,7 @@ void RangesShadow::drawView(const TechniqueFrame& frame, const std::string& name
     lists_->addInputs(inputs);
     program.use(inputs);
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    if (!viewTarget_) viewTarget_.emplace("ranges view target");
-    viewTarget_->setColorCount(1);
-    viewTarget_->attach(GL_COLOR_ATTACHMENT0, values);
-    viewTarget_->bindForDrawing(values.width(), values.height());
+    viewTarget_.bind(values);
     frame.fullscreen.draw(program);
 }
 

@@ -5,6 +5,7 @@
 
 #include "passes/near_triangles.h"
 #include "technique/technique.h"
+#include "technique/view_target.h"
 #include "techniques/ranges/range_lists.h"
 
 namespace timeshade {
@@ -56,7 +57,7 @@ class RangesShadow final : public Technique {
     const gl::Texture* staticMap_ = nullptr;  ///< the frame's; none as published
     NearTriangles near_;
     std::size_t staticCasters_ = 0, moving_ = 0, nonTranslating_ = 0;
-    std::optional<gl::Framebuffer> viewTarget_;
+    ViewTarget viewTarget_;
 };
 
 }  // namespace timeshade

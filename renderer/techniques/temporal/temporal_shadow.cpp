@@ -175,10 +175,7 @@ void TemporalShadow::drawView(const TechniqueFrame& frame, const std::string& na
     lists_->addInputs(inputs);
     program.use(inputs);
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    if (!viewTarget_) viewTarget_.emplace("temporal view target");
-    viewTarget_->setColorCount(1);
-    viewTarget_->attach(GL_COLOR_ATTACHMENT0, values);
-    viewTarget_->bindForDrawing(values.width(), values.height());
+    viewTarget_.bind(values);
     frame.fullscreen.draw(program);
 }
 

@@ -135,10 +135,6 @@ std::vector<std::string> TsmShadow::warnings(const FramePlan&) const {
     return {"dynamic_bias is left out: plane_test compares at the map's own time"};
 }
 
-std::uint32_t TsmShadow::strataOf(const FramePlan& plan) const {
-    return strata_ > 0 ? static_cast<std::uint32_t>(strata_) : plan.block.strata;
-}
-
 std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {
     std::vector<PassDecision> passes;
     passes.push_back({"build/static map",
@@ -149,7 +145,7 @@ std::vector<PassDecision> TsmShadow::passes(const FramePlan& plan) const {
                           fmt::format("{} map layers, one a stratum, each texel at its own random time, of what moves "
                                       "in the light's frame; {} "
                                       "triangles never reach the map, the shadows of {} are never seen",
-                                      strataOf(plan), plan.light.outsideTriangles, plan.light.unseenTriangles),
+                                      strataOf(plan).count, plan.light.outsideTriangles, plan.light.unseenTriangles),
                           plan.light.dynamicTriangles.count()});
     passes.push_back({"lookup",
                       plan.light.dynamicTriangles.empty()
@@ -171,9 +167,9 @@ void TsmShadow::build(const TechniqueFrame& frame) {
         return;
     }
     const auto timed = frame.timer.scope("build/strata");
-    const std::uint32_t strata = strataOf(frame.plan);
+    const StochasticRasterizer::Strata strata = strataOf(frame.plan);
     const MapSize size = frame.plan.request.mapSize;
-    const int layers = static_cast<int>(strata);
+    const int layers = static_cast<int>(strata.count);
     const auto fits = [&](const std::optional<gl::Texture>& map) {
         return map && MapSize(map->width(), map->height()) == size && map->layers() == layers;
     };
@@ -187,14 +183,8 @@ void TsmShadow::build(const TechniqueFrame& frame) {
         velocity_ = gl::Texture::array2D("tsm depth velocity", GL_R32F, size.width, size.height, layers);
     if (!rasterizer_) rasterizer_.emplace(programs_);
     rasterizer_->draw(frame.mesh, frame.plan.light, {&frame.plan.light.dynamicTriangles},
-                      StochasticRasterizer::Role::Light, outputs[static_cast<int>(dynamicBias())],
-                      {strata, lengthOf(frame.plan)}, velocity_ ? &*velocity_ : nullptr, *depth_);
-}
-
-/// Of a stratum of the map, in u.
-float TsmShadow::lengthOf(const FramePlan& plan) const {
-    if (strata_ == 0) return plan.block.timeScale;
-    return plan.block.timeScale * static_cast<float>(plan.block.strata) / static_cast<float>(strata_);
+                      StochasticRasterizer::Role::Light, outputs[static_cast<int>(dynamicBias())], strata,
+                      velocity_ ? &*velocity_ : nullptr, *depth_);
 }
 
 LookupProgram TsmShadow::lookupProgram(const TechniqueFrame& frame, Casters) {
@@ -202,8 +192,9 @@ LookupProgram TsmShadow::lookupProgram(const TechniqueFrame& frame, Casters) {
         "tsm lookup", planeTest_ ? "techniques/tsm/plane_test.frag" : "techniques/tsm/lookup.frag", {}, {}};
     lookup.defines.emplace_back("PCF_RADIUS", fmt::format("{}", pcfRadius_));
     if (strata_ > 0) lookup.defines.emplace_back("OWN_STRATA", "1");
-    lookup.inputs.texture("staticMap", *staticMap_).set("layers", strataOf(frame.plan));
-    lookup.inputs.set("layerLength", lengthOf(frame.plan));
+    lookup.inputs.texture("staticMap", *staticMap_);
+    const StochasticRasterizer::Strata strata = strataOf(frame.plan);
+    lookup.inputs.set("layers", strata.count).set("layerLength", strata.length);
     if (depth_) {
         lookup.defines.emplace_back("DYNAMIC_CASTERS", "1");
         lookup.inputs.texture("depthMap", *depth_);
@@ -217,20 +208,20 @@ LookupProgram TsmShadow::lookupProgram(const TechniqueFrame& frame, Casters) {
 StoredAlongLine TsmShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
     StoredAlongLine stored;
     const FramePlan& plan = frame.plan;
-    const std::uint32_t strata = strataOf(plan);
+    const StochasticRasterizer::Strata strata = strataOf(plan);
     addMapMarks(plan, *staticMap_, line, 0.0, 1.0, stored.marks);
     stored.note =
-        fmt::format("one map of what stands still, and {} layers: a point is a texel at its own time", strata);
+        fmt::format("one map of what stands still, and {} layers: a point is a texel at its own time", strata.count);
     if (!depth_) return stored;
     const MapSize size = plan.request.mapSize;
     const std::vector<TexelOnLine> texels = texelsAlong(line, {size.width, size.height});
-    for (std::uint32_t layer = 0; layer < strata; ++layer) {
+    for (std::uint32_t layer = 0; layer < strata.count; ++layer) {
         const std::vector<float> depths = valuesAlong(*depth_, static_cast<int>(layer), texels);
         for (std::size_t i = 0; i < texels.size(); ++i) {
             const double distance = distanceOfStored(plan, depths[i]);
             if (!std::isfinite(distance)) continue;
             const float xi = shared::samplePattern(glm::uvec2(texels[i].texel), layer, plan.block.seed, SALT_LIGHT).z;
-            const auto u = static_cast<double>(shared::sampleTime(plan.block.timeBase, lengthOf(plan), layer, xi));
+            const auto u = static_cast<double>(shared::sampleTime(plan.block.timeBase, strata.length, layer, xi));
             stored.marks.push_back({texels[i].xFrom, texels[i].xTo, u, u, distance, distance});
         }
     }

@@ -39,8 +39,9 @@ class TsmShadow final : public Technique {
 
   private:
     enum class DynamicBias { Off, BothTimes, PointDepth };  ///< in the order of the setting's choices
-    std::uint32_t strataOf(const FramePlan& plan) const;
-    float lengthOf(const FramePlan& plan) const;
+    StochasticRasterizer::Strata strataOf(const FramePlan& plan) const {
+        return StochasticRasterizer::Strata::ofMap(plan, strata_);
+    }
     /// That which is in use: a plane test needs none.
     DynamicBias dynamicBias() const { return planeTest_ ? DynamicBias::Off : static_cast<DynamicBias>(dynamicBias_); }
 

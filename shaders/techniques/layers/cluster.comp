@@ -167,6 +167,6 @@ void main() {
 #endif
         float spread = sqrt(max(sums.square[i] / count - dot(motion, motion), 0.0));
         imageStore(outputMotion, ivec3(tile, i), vec4(motion, expansion, rate));
-        imageStore(outputDepth, ivec3(tile, i), vec4(sums.low[i], sums.high[i], spread, sums.count[i]));
+        imageStore(outputDepth, ivec3(tile, i), vec4(sums.low[i], sums.high[i], spread, 0.0));
     }
 }

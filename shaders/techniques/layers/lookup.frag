@@ -6,18 +6,17 @@
 // receiver's plane, and the tests are filtered. EQUATION_9_ALONE: without the condition of Donnelly and Lauritzen 2006
 // that a receiver nearer than the mean is lit. NEIGHBOUR_TILES: near a tile's border its neighbour may answer.
 #include "lib/lookup.glsl"
+#include "lib/map_strata.glsl"
 #include "lib/pcf.glsl"
 #include "shared/shutter_response.shared.h"
 #include "techniques/layers/samples.glsl"
 
 uniform sampler2DArray grids;
 uniform sampler2DArray staticMap;
-uniform uint strata;
-uniform float sampleLength;  // of a stratum of the map, u
 
 const int mostTaps = 16;
 const int mostRings = 3;
-const float darkEnough = 1e-3;  // layers behind are then not asked: the largest error of leaving them out
+const float darkEnough = 1e-3;  // the largest error of leaving out the layers behind
 
 ivec2 tileOf(vec2 position, uint salt) {
     ivec2 last = (ivec2(lightView.size) + TILE - 1) / TILE - 1;
@@ -58,7 +57,7 @@ float chebyshev(float depth, float mean, float variance) {
 }
 
 #ifdef AS_PUBLISHED
-// The mean tuple over the footprint: bilinear fetches along it. `wider`: how far beyond one cell it reaches.
+// The mean tuple over the footprint: bilinear fetches along it.
 vec4 filteredTuple(ivec2 tile, int number, vec2 a, vec2 b) {
     int taps = clamp(int(ceil(length(b - a))), 1, mostTaps);
     vec4 sum = vec4(0.0);
@@ -171,7 +170,7 @@ float visibilityThrough(ivec2 tile, int number, Layer layer, Place p, Place firs
 // The samples themselves, 3 x 3 of the receiver's stratum, each against the receiver's plane at its own time: where
 // motions in one layer differ so much that their mean says nothing.
 float visibilityBySamples(MovingTriangle t, Receiver r, float bias) {
-    uint layer = sampleLength > 0.0 ? min(uint(max((r.time - frame.timeBase) / sampleLength, 0.0)), strata - 1u) : 0u;
+    uint layer = layerAt(r.time, stratum);
     Place p = placeOf(r, r.time);
     ivec2 texel = ivec2(floor(p.position));
     float lit = 0.0;
@@ -222,7 +221,7 @@ float litOver(MovingTriangle t, Receiver r, float u0, float u1) {
     bias = depthBias(m, setting.bias, setting.slope_bias);
     if (m.depth - bias > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return 0.0;
 #endif
-#if defined(DYNAMIC_CASTERS) && !defined(STATIC_CASTERS_ONLY)
+#ifdef DYNAMIC_CASTERS
     lit = dynamicVisibility(t, r, u0, u1, bias);
 #endif
     return lit;

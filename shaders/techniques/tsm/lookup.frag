@@ -20,7 +20,7 @@ bool shadowedInTexel(MapPoint m, float limit, float rate, float u) {
     ivec2 texel;
     if (!texelOf(m, texel)) return false;
     float atCastersTime = limit;
-    uint layer = layerOf(u);
+    uint layer = layerAt(u, stratum);
 #ifdef DYNAMIC_BIAS
     float xi = samplePattern(uvec2(texel), layer, frame.seed, SALT_LIGHT).z;
     float later = u - sampleTime(frame.timeBase, layerLength, layer, xi);
