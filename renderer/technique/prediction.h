@@ -99,6 +99,11 @@ struct TechniqueStatement {
 
     /// Every value is about one instant, whatever the times of the samples.
     bool isOfOneInstant() const { return traits.times == SamplingTraits::Times::OneInstant && renders == 1; }
+    /// A receiver is held against casters of the whole shutter, whenever it is seen: right where it stands still in the
+    /// light's frame.
+    bool ignoresReceiverTime() const {
+        return footprint.time == Footprint::Time::Shutter && traits.times == SamplingTraits::Times::RandomInStratum;
+    }
 };
 
 }  // namespace timeshade

@@ -174,9 +174,7 @@ TEST_P(Metamorphic, TimeBackwardsAndInHalves) {
     if (traits.times == SamplingTraits::Times::OneInstant || technique_->renders() > 1) return;
     // Whose casters are looked at throughout the shutter, whenever the receiver is seen, has an error that depends on
     // how long that is.
-    if (technique_->footprint().time == Footprint::Time::Shutter &&
-        traits.times == SamplingTraits::Times::RandomInStratum)
-        return;
+    if (statementOf(*technique_).ignoresReceiverTime()) return;
     FrameRequest half = request_;
     half.shutter.length *= 0.5;
     half.samplesPerPixel /= 2;  // strata as long as before, and with them whatever a technique's error depends on

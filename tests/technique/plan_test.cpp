@@ -110,19 +110,24 @@ std::string disturb(Sequence& s, AwkwardNumbers& numbers) {
     }
 }
 
+/// Of a technique's sequences; not its place among the techniques, so that a new one changes few of them.
+std::uint32_t seedOf(const std::string& name) {
+    std::uint32_t seed = 2166136261u;
+    for (const char c : name) seed = (seed ^ static_cast<unsigned char>(c)) * 16777619u;
+    return seed;
+}
+
 class PlanOfTechnique : public testing::TestWithParam<std::string> {};
 
-/// 84 sequences of 6 frames for each of six techniques. Where two differ, rounding decided: a texel whose centre lies
+/// 84 sequences of 6 frames for each technique. Where two differ, rounding decided: a texel whose centre lies
 /// on an edge, a depth that nearly equals the receiver's.
 TEST_P(PlanOfTechnique, RandomSequencesLookAsIfNothingWerePlanned) {
     constexpr std::uint32_t sequences = 84;
     constexpr int framesEach = 6;
-    const auto which =
-        static_cast<std::uint32_t>(std::find(techniques.begin(), techniques.end(), GetParam()) - techniques.begin());
     Difference difference;
     std::size_t cachedFrames = 0;
     for (std::uint32_t i = 0; i < sequences; ++i) {
-        AwkwardNumbers numbers(1000 * which + i);
+        AwkwardNumbers numbers(seedOf(GetParam()) + i);
         Sequence s;
         s.request = ProceduralScene::request(40, 30, 4, 256, 1);
         s.choose(numbers.word(), numbers.oneIn(4));
