@@ -74,6 +74,7 @@ struct Sequence {
         planned = makeTechnique(name, plannedRenderer().programs());
         plain = makeTechnique(name, forcedRenderer().programs());
         if (hasSetting(*planned, "renders")) set("renders", "3");
+        if (hasSetting(*planned, "times")) set("times", "16");
     }
     void set(const std::string& key, const std::string& text) {
         setFromText(*planned, key, text);

@@ -67,7 +67,8 @@ void LayerGrids::build(const TechniqueFrame& frame, const Options& options, cons
     {
         const auto timed = frame.timer.scope("build/layers");
         gl::Inputs of = inputs;
-        of.texture("extents", *ranges_);
+        of.texture("extents", *ranges_).texture("emptySamples", samples.motion);
+        of.set("sampleLength", samples.strata.length);
         programs_.get({.label = "blocks of samples", .defines = given, .compute = "techniques/layers/blocks.comp"})
             .use(of);
         dispatchOver(ranges_->width(), ranges_->height());
@@ -81,7 +82,7 @@ void LayerGrids::build(const TechniqueFrame& frame, const Options& options, cons
     }
     const auto timed = frame.timer.scope("build/reprojection");
     if (options.filterAcross) given.emplace_back("V_FILTER", "1");
-    inputs.texture("grids", *grids_).set("sampleLength", samples.strata.length);
+    inputs.texture("grids", *grids_);
     inputs.texture("layerMotion", *motion_).texture("layerDepth", *depth_);
     programs_.get({.label = "layer grids", .defines = given, .compute = "techniques/layers/deposit.comp"}).use(inputs);
     gl::dispatch(static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y));

@@ -1,11 +1,20 @@
 // Nearest and farthest depth at the middle of the shutter of the samples in each block of BLOCK x BLOCK texels; the
 // first above the second where there is nothing. Windows are made of whole blocks, and empty ones cost nothing more.
+// Samples that saw nothing get their times here, which the rasteriser leaves to those that saw something.
+#include "shared/sample_pattern.shared.h"
 #include "techniques/layers/samples.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rg32f) uniform writeonly image2DArray extents;
+layout(rgba32f) uniform writeonly image2DArray emptySamples;
 uniform uint strata;
+uniform float sampleLength;  // of a stratum of the map, u
+
+void storeTime(ivec3 place) {
+    float xi = samplePattern(uvec2(place.xy), uint(place.z), frame.seed, SALT_LIGHT).z;
+    imageStore(emptySamples, place, vec4(0.0, 0.0, 0.0, sampleTime(frame.timeBase, sampleLength, uint(place.z), xi)));
+}
 
 void main() {
     ivec2 block = ivec2(gl_GlobalInvocationID.xy);
@@ -16,7 +25,10 @@ void main() {
         for (int y = block.y * BLOCK; y < end.y; ++y)
             for (int x = block.x * BLOCK; x < end.x; ++x) {
                 ivec3 place = ivec3(x, y, k);
-                if (isEmpty(place)) continue;
+                if (isEmpty(place)) {
+                    storeTime(place);
+                    continue;
+                }
                 float depth = depthAtMiddle(sampleAt(place));
                 range = vec2(min(range.x, depth), max(range.y, depth));
             }

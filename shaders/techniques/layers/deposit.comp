@@ -3,7 +3,6 @@
 // tile. Sums are integers in shared memory, so that their order makes no difference.
 //
 // V_FILTER: blur across the motion where it is large (section 5).
-#include "shared/sample_pattern.shared.h"
 #include "techniques/layers/samples.glsl"
 
 layout(local_size_x = 64) in;
@@ -14,7 +13,6 @@ const float reach = 4.0;  // of a depth from the layer's middle, in half ranges
 
 layout(rgba32f) uniform writeonly image2DArray grids;  // moments 1 and 2 about the layer's origin, opacity, weight
 uniform uint strata;
-uniform float sampleLength;  // of a stratum of the map, u
 
 shared int weights[cells];  // samples behind or in the layer in the high half, in the layer in the low half
 shared int moments1[cells];
@@ -28,25 +26,33 @@ float halfRangeOf(Layer layer) { return max(0.5 * (layer.high - layer.low), 1e-6
 // In units that the sum of a cell's samples cannot exceed, were all of them in it.
 float unitsOf(float most) { return floor(float(1 << 30) / (most * float(WINDOW * WINDOW) * float(strata))); }
 
-void depositSample(ivec2 tile, ivec3 place, Layer layer, Grid grid, vec2 borders) {
+// What is the same for all samples of a layer.
+struct Target {
+    Layer layer;
+    Grid grid;
+    vec2 centre;     // of the tile, texels
+    float before;    // border to the layer in front
+    float after;     // and to the one behind
+    float middle;    // depth that moments are about
+    float perRange;    // one over half of its range
+    vec2 units;      // of the two moments
+};
+
+void depositSample(Target to, ivec3 place) {
     MapSample s = sampleAt(place);
     float own = s.empty ? 1e30 : depthAtMiddle(s);
-    if (own < borders.x) return;  // in front: what is behind is not known
-    float time = 0.5 - s.toMiddle;
-    if (s.empty) {
-        float xi = samplePattern(uvec2(place.xy), uint(place.z), frame.seed, SALT_LIGHT).z;
-        time = sampleTime(frame.timeBase, sampleLength, uint(place.z), xi);
-    }
-    float later = 0.5 - time;
-    ivec2 cell = ivec2(floor(toGrid(grid, movedLater(layer, vec2(place.xy) + 0.5 - tileCentre(tile), later))));
-    if (any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, ivec2(GRID)))) return;
+    vec2 moved = movedLater(to.layer, vec2(place.xy) + 0.5 - to.centre, s.toMiddle);
+    ivec2 cell = ivec2(floor(toGrid(to.grid, moved)));
+    if (any(lessThan(place.xy, ivec2(0))) || any(greaterThanEqual(place.xy, ivec2(lightView.size)))) return;
+    // In front: what is behind is not known.
+    if (own < to.before || any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, ivec2(GRID)))) return;
     int number = cell.y * GRID + cell.x;
-    bool inside = own < borders.y;
+    bool inside = own < to.after;
     atomicAdd(weights[number], inside ? 65537 : 65536);
     if (!inside) return;
-    float z = clamp((s.depth + layer.rate * later - middleOf(layer)) / halfRangeOf(layer), -reach, reach);
-    atomicAdd(moments1[number], int(round(z * unitsOf(reach))));
-    atomicAdd(moments2[number], int(round(z * z * unitsOf(reach * reach))));
+    float z = clamp((s.depth + to.layer.rate * s.toMiddle - to.middle) * to.perRange, -reach, reach);
+    atomicAdd(moments1[number], int(round(z * to.units.x)));
+    atomicAdd(moments2[number], int(round(z * z * to.units.y)));
 }
 
 // Moments about the layer's middle, opacity, weight; the sums of equation 7.
@@ -84,9 +90,8 @@ void main() {
     int group = int(groupIndex());
     if (group >= all.x * all.y) return;
     ivec2 tile = ivec2(group % all.x, group / all.x);
-    ivec2 low = max(tile * TILE - (WINDOW - TILE) / 2, ivec2(0));
-    ivec2 extent = min(tile * TILE - (WINDOW - TILE) / 2 + WINDOW, ivec2(lightView.size)) - low;
-    int samples = extent.x * extent.y * int(strata);
+    ivec2 low = tile * TILE - (WINDOW - TILE) / 2;
+    int samples = WINDOW * WINDOW * int(strata);
     float before = -1e30;
     for (int l = 0; l < mostLayers; ++l) {
         Layer layer = layerOf(tile, l);
@@ -97,7 +102,8 @@ void main() {
             Layer next = layerOf(tile, l + 1);
             if (next.present) after = 0.5 * (layer.high + next.low);
         }
-        Grid grid = gridOf(layer);
+        Target to = Target(layer, gridOf(layer), tileCentre(tile), before, after, middleOf(layer),
+                           1.0 / halfRangeOf(layer), vec2(unitsOf(reach), unitsOf(reach * reach)));
         for (int i = int(gl_LocalInvocationID.x); i < cells; i += 64) {
             weights[i] = 0;
             moments1[i] = 0;
@@ -105,9 +111,9 @@ void main() {
         }
         barrier();
         for (int i = int(gl_LocalInvocationID.x); i < samples; i += 64) {
-            int column = i % extent.x, rest = i / extent.x;
-            depositSample(tile, ivec3(low.x + column, low.y + rest % extent.y, rest / extent.y), layer, grid,
-                          vec2(before, after));
+            // Divisors known to the compiler: others cost more than all the rest.
+            int column = i % WINDOW, row = i / WINDOW % WINDOW;
+            depositSample(to, ivec3(low.x + column, low.y + row, i / (WINDOW * WINDOW)));
         }
         barrier();
         for (int i = int(gl_LocalInvocationID.x); i < cells; i += 64)

@@ -168,29 +168,27 @@ float visibilityThrough(ivec2 tile, int number, Layer layer, Place p, Place firs
 }
 
 // The samples themselves, 3 x 3 of the receiver's stratum, each against the receiver's plane at its own time: where
-// motions in one layer differ so much that their mean says nothing.
-float visibilityBySamples(MovingTriangle t, Receiver r, float bias) {
+// motions in one layer differ so much that their mean says nothing. 1 where they are not `wanted`: a loop that is not
+// entered is the one branch that costs nothing where fragments run side by side.
+float visibilityBySamples(MovingTriangle t, Receiver r, Place p, float bias, bool wanted) {
     uint layer = layerAt(r.time, stratum);
-    Place p = placeOf(r, r.time);
     ivec2 texel = ivec2(floor(p.position));
-    float lit = 0.0;
-    for (int i = 0; i < pcfTests; ++i) {
+    float dark = 0.0;
+    for (int i = 0; wanted && i < pcfTests; ++i) {
         ivec2 at = texel + pcfOffset(i);
-        lit += 1.0;
         if (!insideMap(at)) continue;
         MapSample s = sampleAt(ivec3(at, layer));
         if (s.empty) continue;
         Place q = placeOf(pointAt(t, r.triangle, r.barycentrics, 0.5 - s.toMiddle), 0.5 - s.toMiddle);
-        if (s.depth < q.depth + dot(q.slope, vec2(at) + 0.5 - q.position) - bias) lit -= 1.0;
+        if (s.depth < q.depth + dot(q.slope, vec2(at) + 0.5 - q.position) - bias) dark += 1.0;
     }
-    return lit / float(pcfTests);
+    return 1.0 - dark / float(pcfTests);
 }
 #endif
 
 float dynamicVisibility(MovingTriangle t, Receiver r, float u0, float u1, float bias) {
     Place p = placeOf(r, r.time);
     ivec2 tile = tileOf(p.position, stratum);
-    if (!layerOf(tile, 0).present) return 1.0;
 #ifdef AS_PUBLISHED
     // The receiver is taken to stand still, as the camera does, for the stratum's length around its own time.
     float around = 0.5 * (u1 - u0);
@@ -200,15 +198,19 @@ float dynamicVisibility(MovingTriangle t, Receiver r, float u0, float u1, float 
     Place last = placeOf(pointAt(t, r.triangle, r.barycentrics, u1), u1);
 #endif
     float visible = 1.0;
-    for (int l = 0; l < mostLayers; ++l) {
+    bool bySamples = false;
+    for (int l = 0; l < mostLayers && visible >= darkEnough && !bySamples; ++l) {
         Layer layer = layerOf(tile, l);
         if (!layer.present) break;
 #ifndef AS_PUBLISHED
-        if (layer.spread > 6.0 + 2.0 * length(layer.motion)) return visibilityBySamples(t, r, bias);
+        bySamples = layer.spread > 6.0 + 2.0 * length(layer.motion);
 #endif
         visible *= visibilityThrough(tile, l, layer, p, first, last, bias);
-        if (visible < darkEnough) break;
     }
+#ifndef AS_PUBLISHED
+    float fromSamples = visibilityBySamples(t, r, p, bias, bySamples);
+    if (bySamples) visible = fromSamples;
+#endif
     return visible;
 }
 

@@ -2,7 +2,7 @@
 #include "techniques/layers/tile.glsl"
 
 uniform sampler2DArray sampleDepth;   // as the map stores it
-uniform sampler2DArray sampleMotion;  // rate of the point seen, in the light's view coordinates; time
+uniform sampler2DArray sampleMotion;  // rate of the point seen, in the light's view coordinates; time, also of nothing
 
 const int BLOCK = 4;  // texels; tiles and windows are made of whole blocks
 
