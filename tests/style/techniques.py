@@ -40,7 +40,8 @@ ABOUT = {
     "tests/technique/history_moving_test.cpp": ("static",),
     "tests/technique/metamorphic_test.cpp": ("accumulation", "history", "layers"),
     "tests/technique/reference_technique_test.cpp": ("tsm",),
-    "tests/technique/epipolar_test.cpp": ("accumulation", "exact", "ranges", "static", "temporal", "tsm"),
+    "tests/technique/epipolar_test.cpp": ("accumulation", "deep", "exact", "interleaved", "layers", "ranges", "static",
+                                           "temporal", "tsm"),
     "tests/technique/shutter_response_test.cpp": ("accumulation", "exact"),
     "tests/technique/reload_test.cpp": ("exact",),  # changes its build shader
     "tests/cli/limits_test.py": ("exact", "ranges"),  # their lists

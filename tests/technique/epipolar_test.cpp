@@ -62,6 +62,11 @@ double wrongShare(const EpipolarView& view, std::uint32_t first, std::uint32_t l
     }
     return static_cast<double>(wrong) / static_cast<double>((last - first) * view.columns);
 }
+double deepestOf(const EpipolarView& view) {
+    double deepest = 0.0;
+    for (const StoredMark& mark : view.stored.marks) deepest = std::max(deepest, mark.depthFrom);
+    return deepest;
+}
 double wrongShare(const EpipolarView& view) { return wrongShare(view, 0, view.rows); }
 
 TEST(Epipolar, EveryTechniqueGivesAPictureTheSameEveryTime) {
@@ -99,8 +104,9 @@ TEST(Epipolar, AnOrdinaryMapIsTheTruthOfOneInstant) {
     EXPECT_GT(wrongShare(view), 0.1);
 }
 
-TEST(Epipolar, PointsAreWhatTheLightSeesThereAndThen) {
-    const EpipolarView view = viewOf("tsm");
+/// Of a technique that stores texels at times of their own: how many in each of the four strata.
+std::vector<int> pointsOf(const std::string& name) {
+    const EpipolarView view = viewOf(name);
     std::size_t points = 0, wrong = 0;
     std::vector<int> inStratum(4, 0);
     for (const StoredMark& mark : view.stored.marks) {
@@ -115,7 +121,44 @@ TEST(Epipolar, PointsAreWhatTheLightSeesThereAndThen) {
     }
     EXPECT_GT(points, 100u);
     EXPECT_LE(wrong, 2u) << "of " << points << "; rounding at an edge";
-    for (const int count : inStratum) EXPECT_GT(count, 10) << "every stratum has a layer";
+    return inStratum;
+}
+
+TEST(Epipolar, PointsAreWhatTheLightSeesThereAndThen) {
+    for (const char* name : {"tsm", "interleaved"}) {
+        SCOPED_TRACE(name);
+        for (const int count : pointsOf(name)) EXPECT_GT(count, 10) << "every stratum has a layer";
+    }
+}
+
+/// The quads translate: layers that move with them are the truth but for the border's cells, which are stretched to a
+/// few texels and partly transparent. Distances are means over the samples of a cell.
+TEST(Epipolar, LayersMoveAsTheirCastersDo) {
+    EXPECT_LT(wrongShare(viewOf("layers")), 0.15);
+    EXPECT_LT(wrongShare(viewOf("layers")), 0.5 * wrongShare(viewOf("static")));
+    EXPECT_GT(wrongShare(viewOf("layers", "count=1")), wrongShare(viewOf("layers")));
+}
+
+/// A visibility function has no time: what moves is as opaque throughout as it is long there.
+TEST(Epipolar, DeepMapsHoldTheShareOfTheShutter) {
+    const EpipolarView view = viewOf("deep", "error=0.001");
+    std::size_t tested = 0;
+    for (std::uint32_t column = 0; column < view.columns; column += 7) {
+        double covered = 0.0, left = 1.0;
+        for (std::uint32_t row = 0; row < view.rows; ++row) {
+            const std::uint32_t seen = view.truth[std::size_t{row} * view.columns + column].triangle;
+            covered += seen != NO_TRIANGLE && view.instances[seen] != 0 ? 1.0 / view.rows : 0.0;
+        }
+        const double x = (column + 0.5) / view.columns;
+        for (const StoredMark& mark : view.stored.marks) {
+            EXPECT_EQ(mark.uTo - mark.uFrom, 1.0);
+            // The ground is in the map of what stands still, opaque and farthest.
+            if (mark.xFrom <= x && x < mark.xTo && mark.depthFrom < 0.99 * deepestOf(view)) left *= 1.0 - mark.opacity;
+        }
+        EXPECT_NEAR(1.0 - left, covered, 0.06) << "the nearest texel's centre, and 128 times";
+        tested += covered > 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(tested, 10u);
 }
 
 /// Candidates are never farther than what they stand for, wherever something shadows something.

@@ -144,6 +144,14 @@ void DeepShadow::drawView(const TechniqueFrame& frame, const std::string& name, 
     frame.fullscreen.draw(program);
 }
 
+StoredAlongLine DeepShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    StoredAlongLine stored;
+    if (staticMap_ != nullptr) addMapMarks(frame.plan, *staticMap_, line, 0.0, 1.0, stored.marks);
+    if (map_) map_->addMarks(frame.plan, line, stored.marks);
+    stored.note = "what moves is there at all times, as transparent as the share of the shutter that it leaves free";
+    return stored;
+}
+
 std::vector<TechniqueStatistic> DeepShadow::statistics() const {
     if (!map_) return {};
     const VisibilityMapCounts counts = map_->counts();

@@ -38,6 +38,7 @@ class DeepShadow final : public Technique {
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
+    StoredAlongLine storedAlong(const TechniqueFrame& frame, const MapLine& line) override;
     std::vector<TechniqueStatistic> statistics() const override;
     std::size_t bytes() const override { return map_ ? map_->bytes() : 0; }
 

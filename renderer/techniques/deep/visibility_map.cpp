@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "gl/dispatch.h"
+#include "gl/read_back.h"
+#include "technique/linked_interval_marks.h"
 #include "techniques/deep/bindings.shared.h"
 
 namespace timeshade {
@@ -88,6 +90,27 @@ void VisibilityMap::compress(const TechniqueFrame& frame, const StochasticRaster
 
 void VisibilityMap::addInputs(gl::Inputs& inputs) const {
     inputs.texture("nodeOffsets", lists_.offsets()).texture("nodes", nodes_.texels());
+}
+
+void VisibilityMap::addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const {
+    const MapSize size = plan.request.mapSize;
+    for (const TexelOnLine& t : texelsAlong(line, {size.width, size.height})) {
+        const auto span = gl::readElements<GLuint>(lists_.offsetsBuffer(), listNumber(plan, t.texel), 2);
+        const auto nodes = gl::readElements<glm::vec2>(nodes_.buffer(), span[0], span[1] - span[0]);
+        double depth = nodes.empty() ? 0.0 : static_cast<double>(nodes.front().x), visibility = 1.0;
+        for (const glm::vec2& node : nodes) {
+            const auto after = static_cast<double>(node.y);
+            // What the nodes lose of the light that is left, all of it where nothing is left behind.
+            const double opacity = std::min((visibility - after) / visibility, 1.0);
+            if (opacity > 0.0) {
+                marks.push_back({t.xFrom, t.xTo, 0.0, 1.0, depth, depth});
+                marks.back().opacity = opacity;
+            }
+            if (after <= 0.0) break;
+            depth = static_cast<double>(node.x);
+            visibility = after;
+        }
+    }
 }
 
 VisibilityMapCounts VisibilityMap::counts() const {

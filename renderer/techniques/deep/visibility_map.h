@@ -6,6 +6,7 @@
 #include "gl/growing_buffer.h"
 #include "passes/cell_lists.h"
 #include "passes/stochastic_rasterizer.h"
+#include "technique/stored_along_line.h"
 #include "technique/technique_frame.h"
 
 namespace timeshade {
@@ -33,6 +34,9 @@ class VisibilityMap {
     void build(const TechniqueFrame& frame, const StochasticRasterizer::Strata& strata);
     /// `nodes` and `nodeOffsets` of nodes.glsl.
     void addInputs(gl::Inputs& inputs) const;
+    /// What the line's texels hold, for storedAlong: of each function, the light that is lost from one depth to the
+    /// next, at all times. A segment between two nodes is shown at its nearer end.
+    void addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const;
     VisibilityMapCounts counts() const;
     /// Of the depths at all times, for as many rows of the map as are drawn at once.
     std::size_t rawBytes() const { return samples_ ? samples_->bytes() : 0; }

@@ -263,6 +263,10 @@ void HistoryShadow::drawView(const TechniqueFrame& frame, const std::string& nam
     frame.fullscreen.draw(program);
 }
 
+StoredAlongLine HistoryShadow::storedAlong(const TechniqueFrame&, const MapLine&) {
+    return {{}, "nothing along a line: each pixel keeps the mean of its tests, and each frame's map is turned anew"};
+}
+
 std::vector<TechniqueStatistic> HistoryShadow::statistics() const {
     return {{"frames with a still camera", static_cast<double>(transition_.staticFrames), "frames", ""},
             {"dynamic triangles", static_cast<double>(transition_.dynamicCasters.size()), "triangles", ""},

@@ -70,6 +70,8 @@ class HistoryShadow final : public Technique {
     void drawLookup(const TechniqueFrame& frame) override;
     std::vector<TechniqueView> views() const override;
     void drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) override;
+    /// A note: what it remembers is in the camera's pixels, and its map is turned from frame to frame.
+    StoredAlongLine storedAlong(const TechniqueFrame&, const MapLine&) override;
     std::vector<TechniqueStatistic> statistics() const override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;

@@ -1,7 +1,10 @@
 #include "techniques/interleaved/interleaved_shadow.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
+#include "shared/sample_pattern.shared.h"
 #include "technique/technique_entry.h"
 #include "techniques/interleaved/interleaved_prediction.h"
 
@@ -35,7 +38,7 @@ void InterleavedShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.whole("pattern", pattern_, 2, 1, 4, "texels",
                   "Side of a block of texels, each with its own time of the slice. More: more times, more tests a "
                   "sample, and edges as wide as the block.");
-    visitor.number("bias", bias_, 2.0, 0.05, 64.0, "texels",
+    visitor.number("bias", bias_, 1.0, 0.05, 64.0, "texels",
                    "How much nearer to the light a caster must be before it counts. Hides what neighbours on a curved "
                    "surface do to each other, and with it real contacts.");
     visitor.toggle("plane_test", planeTest_, true,
@@ -151,6 +154,32 @@ LookupProgram InterleavedShadow::lookupProgram(const TechniqueFrame& frame, Cast
         if (triangles_) lookup.inputs.texture("triangleMap", *triangles_);
     }
     return lookup;
+}
+
+StoredAlongLine InterleavedShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    StoredAlongLine stored;
+    const FramePlan& plan = frame.plan;
+    const StochasticRasterizer::Strata strata = strataOf(plan);
+    if (staticDepth_ != nullptr) addMapMarks(plan, *staticDepth_, line, 0.0, 1.0, stored.marks);
+    stored.note = fmt::format(
+        "one map of what stands still, and {} layers: a point is a texel at its fixed time, one "
+        "of {} in a layer",
+        strata.count, pattern_ * pattern_);
+    if (!depth_) return stored;
+    const MapSize size = plan.request.mapSize;
+    const std::vector<TexelOnLine> texels = texelsAlong(line, {size.width, size.height});
+    for (std::uint32_t layer = 0; layer < strata.count; ++layer) {
+        const std::vector<float> depths = valuesAlong(*depth_, static_cast<int>(layer), texels);
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            const double distance = distanceOfStored(plan, depths[i]);
+            if (!std::isfinite(distance)) continue;
+            const auto side = static_cast<std::uint32_t>(pattern_);
+            const float within = shared::phaseTime(shared::texelPhase(glm::uvec2(texels[i].texel), side), side);
+            const auto u = static_cast<double>(shared::sampleTime(plan.block.timeBase, strata.length, layer, within));
+            stored.marks.push_back({texels[i].xFrom, texels[i].xTo, u, u, distance, distance});
+        }
+    }
+    return stored;
 }
 
 std::vector<TechniqueStatistic> InterleavedShadow::statistics() const {

@@ -31,6 +31,7 @@ class InterleavedShadow final : public Technique {
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override;
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
+    StoredAlongLine storedAlong(const TechniqueFrame& frame, const MapLine& line) override;
     std::vector<TechniqueStatistic> statistics() const override;
     std::vector<const gl::Texture*> textures() const override;
     std::size_t bytes() const override;

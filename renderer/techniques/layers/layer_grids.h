@@ -5,6 +5,7 @@
 #include "gl/program_cache.h"
 #include "gl/texture.h"
 #include "passes/stochastic_rasterizer.h"
+#include "technique/stored_along_line.h"
 #include "technique/technique_frame.h"
 
 namespace timeshade {
@@ -41,6 +42,11 @@ class LayerGrids {
     /// For programs that include layers/tile.glsl.
     static gl::ShaderDefines defines(const Options& options);
     void addInputs(gl::Inputs& inputs) const;
+    /// What the layers of the tiles along a line hold at 32 times of the shutter, for storedAlong: at the centre of
+    /// each part of the line that is in one texel, each layer's cell there, at its mean depth. With the options of the
+    /// last build.
+    void addMarks(const FramePlan& plan, const Options& options, const MapLine& line,
+                  std::vector<StoredMark>& marks) const;
     std::vector<const gl::Texture*> textures() const;
     std::size_t bytes() const;
 

@@ -199,6 +199,14 @@ void LayersShadow::drawView(const TechniqueFrame& frame, const std::string& name
     frame.fullscreen.draw(program);
 }
 
+StoredAlongLine LayersShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {
+    StoredAlongLine stored;
+    if (staticMap_ != nullptr) addMapMarks(frame.plan, *staticMap_, line, 0.0, 1.0, stored.marks);
+    if (grids_ && hasCasters(frame.plan)) grids_->addMarks(frame.plan, optionsOf(), line, stored.marks);
+    stored.note = "each layer's cells along the layer's motion, at their mean depth, as opaque as their samples say";
+    return stored;
+}
+
 std::vector<const gl::Texture*> LayersShadow::textures() const {
     std::vector<const gl::Texture*> all;
     if (!grids_) return all;
