@@ -24,3 +24,12 @@ convert "$work/error.png" "$work/disagreement.png" +append -quality 88 "$here/wr
 "$run" measure frusta --convergence 1,5,10,20,40,60 --size 512x512 --map 512 --spp 1 --shutter 0 -o "$work/converged"
 cp "$work/converged/frusta.png" "$here/history.png"
 cp "$work/converged/frusta-strip.png" "$here/history-detail.png"
+
+# the parts of filtered layers: truth, all, one layer, no choice among neighbouring tiles
+above=(shot octopus --camera above --size 320x240)
+layers=("${above[@]}" --technique layers --spp 4 --map 512 --set layers.as_published=on --set layers.bias=2)
+"$run" "${above[@]}" --technique exact --spp 32 -o "$work/parts-0.png"
+"$run" "${layers[@]}" -o "$work/parts-1.png"
+"$run" "${layers[@]}" --set layers.count=1 -o "$work/parts-2.png"
+"$run" "${layers[@]}" --set layers.neighbour_tiles=off -o "$work/parts-3.png"
+convert "$work"/parts-?.png -crop 120x100+160+95 +repage -filter point -resize 300% +append "$here/layers-parts.png"
