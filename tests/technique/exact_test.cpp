@@ -12,7 +12,7 @@
 #include "support/crowded_scene.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
-#include "techniques/exact/candidate_grid.h"
+#include "passes/candidate_grid.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
