@@ -11,6 +11,8 @@
 #define MOTION_LIGHT 1u  // the light alone: edges linear, W constant
 #define MOTION_SCENE 2u  // receiver and caster, under a direction of light that stays: edges quadratic, W cubic
 #define MOTION_ALL 3u    // everything: cubics
+// How much more than a wanted part of a piece is looked at, as a share of the piece.
+#define PART_SLACK SHARED_FLOAT(1.5258789e-5)
 
 SHARED_BEGIN
 
@@ -112,6 +114,35 @@ SHARED_FUNCTION bool neverShadows(ShadowSigns s) {
     return apart || oneSide;
 }
 
+/// Bernstein coefficients of the part from `low` to `high`, of a polynomial of degree 1, 2 or 3 that is kept as
+/// edgeCoefficients does.
+SHARED_FUNCTION vec4 partOf(vec4 b, float low, float high, uint degree) {
+    if (degree <= 1u) {
+        float first = mix(b.x, b.w, low), last = mix(b.x, b.w, high);
+        return vec4(first, first, last, last);
+    }
+    if (degree == 2u) {
+        vec2 atLow = mix(vec2(b.x, b.y), vec2(b.y, b.w), low), atHigh = mix(vec2(b.x, b.y), vec2(b.y, b.w), high);
+        float middle = mix(atLow.x, atLow.y, high);
+        return vec4(mix(atLow.x, atLow.y, low), middle, middle, mix(atHigh.x, atHigh.y, high));
+    }
+    vec3 p = vec3(b.x, b.y, b.z), q = vec3(b.y, b.z, b.w);
+    vec3 atLow = mix(p, q, low), atHigh = mix(p, q, high);
+    vec2 lowLow = mix(vec2(atLow.x, atLow.y), vec2(atLow.y, atLow.z), low);
+    vec2 lowHigh = mix(vec2(atLow.x, atLow.y), vec2(atLow.y, atLow.z), high);
+    vec2 highHigh = mix(vec2(atHigh.x, atHigh.y), vec2(atHigh.y, atHigh.z), high);
+    return vec4(mix(lowLow.x, lowLow.y, low), mix(lowLow.x, lowLow.y, high), mix(lowHigh.x, lowHigh.y, high),
+                mix(highHigh.x, highHigh.y, high));
+}
+
+/// The signs in a part of the piece, for neverShadows alone.
+SHARED_FUNCTION ShadowSigns partOf(ShadowSigns s, float low, float high, uint motion) {
+    uint ofPlane = motion <= MOTION_LIGHT ? 1u : 3u;
+    return ShadowSigns(partOf(s.edge0, low, high, motion), partOf(s.edge1, low, high, motion),
+                       partOf(s.edge2, low, high, motion), partOf(s.plane, low, high, ofPlane),
+                       partOf(s.beyond, low, high, ofPlane));
+}
+
 /// Where one of them changes its sign in (0, 1); 2 for those that there are not. `degree`: 1, 2 or 3.
 SHARED_FUNCTION vec3 changeTimes(vec4 b, uint degree) {
     const float none = SHARED_FLOAT(2.0);
@@ -192,8 +223,16 @@ SHARED_FUNCTION float tickOf(PieceTicks ticks, float t) {
 /// slope there.
 SHARED_FUNCTION TimeUnion withShadow(TimeUnion u, MotionPiece p, PieceTicks ticks, uint motion) {
     ShadowSigns signs = shadowSigns(p, motion);
+    bool never = neverShadows(signs);
+    if (ticks.from > ticks.begin || ticks.to < ticks.end) {
+        // A little more than what is wanted, for what is rounded; the same would be found without this.
+        float length = ticks.end - ticks.begin;
+        float low = clamp((ticks.from - ticks.begin) / length - PART_SLACK, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
+        float high = clamp((ticks.to - ticks.begin) / length + PART_SLACK, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
+        never = never || neverShadows(partOf(signs, low, high, motion));
+    }
     // A loop of one round: software renderers skip what no lane enters.
-    for (int rounds = neverShadows(signs) ? 0 : 1; rounds > 0; --rounds) {
+    for (int rounds = never ? 0 : 1; rounds > 0; --rounds) {
         ChangeTimes at = changeTimesOf(signs, motion);
         for (float t = SHARED_FLOAT(0.0); t < SHARED_FLOAT(1.0);) {
             float next = nextChange(at, t);

@@ -26,6 +26,12 @@ SHARED_FUNCTION TimeUnion emptyTimeUnion() {
 SHARED_FUNCTION float leastOf(vec4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 SHARED_FUNCTION float mostOf(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 
+/// How many intervals it has.
+SHARED_FUNCTION float intervalsOf(TimeUnion u) {
+    vec4 isUsed = step(u.begin0, vec4(TICKS)) + step(u.begin1, vec4(TICKS));
+    return isUsed.x + isUsed.y + isUsed.z + isUsed.w;
+}
+
 /// Which place of four an interval is put in, as 1 among zeros: the first free one, none if `wanted` is 0.
 SHARED_FUNCTION vec4 firstFreeOf(vec4 begin, float wanted) {
     vec4 isFree = step(vec4(TIME_UNION_FREE), begin);

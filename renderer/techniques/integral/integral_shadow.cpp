@@ -50,17 +50,29 @@ const TechniqueDescription& IntegralShadow::describe() {
     return description;
 }
 
-Footprint IntegralShadow::footprint() const { return {.time = Footprint::Time::Stratum}; }
+void IntegralShadow::visitSettings(SettingsVisitor& visitor) {
+    visitor.choice(
+        "over", over_, 0, {"stratum", "shutter"},
+        "What a value is the mean over: the stratum of its sample, or the whole shutter, in which each sample "
+        "stands for all times at its own place. That has less noise where what a pixel sees stands still, is "
+        "an approximation where it moves, and costs as many times more as there are strata.");
+    lists_.visitSettings(visitor);
+}
+
+Footprint IntegralShadow::footprint() const {
+    return {.time = over_ == 0 ? Footprint::Time::Stratum : Footprint::Time::Shutter};
+}
 
 SamplingTraits IntegralShadow::samplingTraits() const { return {.statedError = 1e-5}; }
 
 std::vector<PassDecision> IntegralShadow::passes(const FramePlan& plan) const {
     std::vector<PassDecision> passes = lists_.passes(plan);
-    passes.push_back({"lookup",
-                      fmt::format("the union of the times of a stratum at which candidates shadow the sample's surface "
-                                  "point; {}{}",
-                                  reasons[motionOf(plan)], lists_.culledOf(plan)),
-                      0});
+    passes.push_back(
+        {"lookup",
+         fmt::format("the union of the times of {} at which candidates shadow the sample's surface "
+                     "point; {}{}",
+                     over_ == 0 ? "a stratum" : "the shutter", reasons[motionOf(plan)], lists_.culledOf(plan)),
+         0});
     return passes;
 }
 
@@ -81,6 +93,7 @@ void IntegralShadow::drawView(const TechniqueFrame& frame, const std::string& na
     const LookupProgram lookup = lookupProgram(frame, Casters::All);
     gl::ShaderDefines defines = frame.defines();
     defines.emplace_back(name == "candidates" ? "VIEW_CANDIDATES" : "VIEW_ERROR", "1");
+    if (over_ != 0) defines.emplace_back("FOOTPRINT_SHUTTER", "1");
     defines.insert(defines.end(), lookup.defines.begin(), lookup.defines.end());
     const gl::Program& program =
         programs_.get({"integral view", "passes/fullscreen.vert", lookup.fragment, std::move(defines)});

@@ -121,18 +121,23 @@ float exposureOf(ReceiverSegment s, TimeUnion u, float from, float to) {
 // The mean over the times at which the receiver is tested. Where the union is full the interval is halved and the
 // candidates are read again: nothing is merged, and no order matters.
 float litOverSegment(ReceiverSegment s) {
-    float tested = exposureUntil(s, s.last) - exposureUntil(s, s.first) - exposureOf(s, s.untested, s.first, s.last);
     float lit = 0.0;
     vec2 wanted = vec2(s.first, s.last);
     while (wanted.x < s.last) {
         TimeUnion dark = darkTimes(s, wanted);
+        float width = wanted.y - wanted.x;
         if (dark.full != 0u) {
-            wanted.y = floor(0.5 * (wanted.x + wanted.y));
+            wanted.y = wanted.x + floor(0.5 * width);
             continue;
         }
         lit += exposureUntil(s, wanted.y) - exposureUntil(s, wanted.x) - exposureOf(s, dark, wanted.x, wanted.y);
-        wanted = vec2(wanted.y, min(s.last, wanted.y + 2.0 * (wanted.y - wanted.x)));
+        if (intervalsOf(dark) <= 3.0) width *= 2.0;
+        wanted = vec2(wanted.y, min(s.last, wanted.y + width));
     }
+    // A driver may bound the rounds of loops (65,535 here): then the mean is that of what was integrated.
+    float until = min(wanted.x, s.last);
+    doubt += s.last - until;
+    float tested = exposureUntil(s, until) - exposureUntil(s, s.first) - exposureOf(s, s.untested, s.first, until);
     return tested > 0.0 ? lit / tested : 1.0;
 }
 
@@ -150,8 +155,12 @@ void main() {
     MovingTriangle t = fetchTriangle(id);
     Receiver r = receiverOf(t, id, pixel, stratum);
     if (!facesLight(r)) return;
+#ifdef FOOTPRINT_SHUTTER
+    litOver(t, r, frame.timeBase, frame.timeBase + float(frame.strata) * frame.timeScale);
+#else
     float begin = frame.timeBase + float(stratum) * frame.timeScale;
     litOver(t, r, begin, begin + frame.timeScale);
+#endif
 #ifdef VIEW_ERROR
     outputValue = min(1.0, doubt / TICKS) * share;
 #else
