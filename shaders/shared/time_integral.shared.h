@@ -135,12 +135,33 @@ SHARED_FUNCTION vec4 partOf(vec4 b, float low, float high, uint degree) {
                 mix(highHigh.x, highHigh.y, high));
 }
 
+/// Nearer to 0, by `doubt`: what is of one sign then is so whatever is rounded.
+SHARED_FUNCTION vec4 doubted(vec4 b, float doubt) {
+    return sign(b) * max(abs(b) - vec4(doubt), vec4(SHARED_FLOAT(0.0)));
+}
+
+SHARED_FUNCTION ShadowSigns doubted(ShadowSigns s, float ofEdges, float ofPlanes) {
+    return ShadowSigns(doubted(s.edge0, ofEdges), doubted(s.edge1, ofEdges), doubted(s.edge2, ofEdges),
+                       doubted(s.plane, ofPlanes), doubted(s.beyond, ofPlanes));
+}
+
 /// The signs in a part of the piece, for neverShadows alone.
 SHARED_FUNCTION ShadowSigns partOf(ShadowSigns s, float low, float high, uint motion) {
     uint ofPlane = motion <= MOTION_LIGHT ? 1u : 3u;
     return ShadowSigns(partOf(s.edge0, low, high, motion), partOf(s.edge1, low, high, motion),
                        partOf(s.edge2, low, high, motion), partOf(s.plane, low, high, ofPlane),
                        partOf(s.beyond, low, high, ofPlane));
+}
+
+/// How far the polynomials of edges (x) and planes (y) may be off: 2^-18 of the sizes of their terms.
+SHARED_FUNCTION vec2 doubtsOf(MotionPiece p) {
+    float far = max(length(p.lightOpen), length(p.lightClose));
+    float across = max(max(max(length(p.open0), length(p.open1)), max(length(p.open2), length(p.close0))),
+                       max(length(p.close1), length(p.close2)));
+    float edge = max(max(length(p.open1 - p.open0), length(p.open2 - p.open0)),
+                     max(length(p.close1 - p.close0), length(p.close2 - p.close0)));
+    const float share = SHARED_FLOAT(3.8146973e-6);
+    return vec2(share * SHARED_FLOAT(4.0) * far * across * edge, share * (far + across) * edge * edge);
 }
 
 /// Where one of them changes its sign in (0, 1); 2 for those that there are not. `degree`: 1, 2 or 3.
@@ -229,7 +250,8 @@ SHARED_FUNCTION TimeUnion withShadow(TimeUnion u, MotionPiece p, PieceTicks tick
         float length = ticks.end - ticks.begin;
         float low = clamp((ticks.from - ticks.begin) / length - PART_SLACK, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
         float high = clamp((ticks.to - ticks.begin) / length + PART_SLACK, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
-        never = never || neverShadows(partOf(signs, low, high, motion));
+        vec2 doubts = doubtsOf(p);
+        never = never || neverShadows(doubted(partOf(signs, low, high, motion), doubts.x, doubts.y));
     }
     // A loop of one round: software renderers skip what no lane enters.
     for (int rounds = never ? 0 : 1; rounds > 0; --rounds) {
@@ -244,42 +266,48 @@ SHARED_FUNCTION TimeUnion withShadow(TimeUnion u, MotionPiece p, PieceTicks tick
     return u;
 }
 
-/// How far, in t, the ends of a polynomial's signs may be off: where |f| <= doubt, by the slope at its changes.
-SHARED_FUNCTION float changeDoubt(vec4 b, vec3 changes, float doubt) {
+/// The cubic that a polynomial kept as edgeCoefficients does is.
+SHARED_FUNCTION vec4 asCubic(vec4 b, uint degree) {
+    const float third = SHARED_FLOAT(0.33333334), twice = SHARED_FLOAT(2.0);
+    if (degree <= 1u) return vec4(b.x, (twice * b.x + b.w) * third, (b.x + twice * b.w) * third, b.w);
+    if (degree == 2u) return vec4(b.x, (b.x + twice * b.y) * third, (twice * b.y + b.w) * third, b.w);
+    return b;
+}
+
+/// How far around t a cubic is within `doubt` of 0: to a power of two, at most 1.
+SHARED_FUNCTION float doubtAround(vec4 b, float t, float doubt) {
+    float reach = SHARED_FLOAT(1.1920929e-7);
+    while (reach < SHARED_FLOAT(1.0) && min(abs(cubicAt(b, t - reach)), abs(cubicAt(b, t + reach))) <= doubt)
+        reach *= SHARED_FLOAT(2.0);
+    return SHARED_FLOAT(2.0) * reach;
+}
+
+/// During how much of [0, 1] at most the sign of a cubic is in doubt: around its changes, its turns and the ends.
+SHARED_FUNCTION float changeDoubt(vec4 b, float doubt) {
+    if (leastOf(b) > doubt || mostOf(b) < -doubt) return SHARED_FLOAT(0.0);
+    CubicSignChanges c = signChangesOfCubic(b);
+    SignChanges turns = signChangesOfQuadratic(b.y - b.x, b.z - b.y, b.w - b.z);
     float sum = SHARED_FLOAT(0.0);
-    for (uint i = 0u; i < 3u; ++i) {
-        float t = i == 0u ? changes.x : (i == 1u ? changes.y : changes.z);
-        if (t > SHARED_FLOAT(1.0)) continue;
-        float slope = SHARED_FLOAT(3.0) * abs(cubicSlopeAt(b, t));
-        sum += slope > doubt ? doubt / slope : SHARED_FLOAT(1.0);
+    for (uint i = 0u; i < 7u; ++i) {
+        float t = i == 0u ? c.at.x : (i == 1u ? c.at.y : c.at.z);
+        if (i == 3u) t = turns.first;
+        if (i == 4u) t = turns.second;
+        if (i >= 5u) t = i == 5u ? SHARED_FLOAT(0.0) : SHARED_FLOAT(1.0);
+        bool counts = i < 3u ? i < c.count : (i >= 5u || i - 3u < turns.count);
+        if (counts && abs(cubicAt(b, t)) <= doubt) sum += doubtAround(b, t, doubt);
     }
     return sum;
 }
 
-/// A bound on the error, as a share of the piece, of what withShadow adds: half a tick and what 2^-18 of the sizes of a
-/// polynomial's terms may do at each change, and the gaps at whose middle one is as small as that. At most 1.
+/// A bound on the error, as a share of the piece, of what withShadow adds: half a tick at each of two ends, and the
+/// times at which a polynomial is as near to 0 as it may be off. At most 1.
 SHARED_FUNCTION float shadowDoubt(MotionPiece p, uint motion) {
     ShadowSigns s = shadowSigns(p, motion);
-    if (neverShadows(s)) return SHARED_FLOAT(0.0);
-    ChangeTimes at = changeTimesOf(s, motion);
-    float far = max(length(p.lightOpen), length(p.lightClose));
-    float across = max(max(max(length(p.open0), length(p.open1)), max(length(p.open2), length(p.close0))),
-                       max(length(p.close1), length(p.close2)));
-    float edge = max(max(length(p.open1 - p.open0), length(p.open2 - p.open0)),
-                     max(length(p.close1 - p.close0), length(p.close2 - p.close0)));
-    const float share = SHARED_FLOAT(3.8146973e-6);
-    float ofEdges = share * SHARED_FLOAT(2.0) * far * across * edge, ofPlanes = share * (far + across) * edge * edge;
-    float doubt = changeDoubt(s.edge0, at.edge0, ofEdges) + changeDoubt(s.edge1, at.edge1, ofEdges) +
-                  changeDoubt(s.edge2, at.edge2, ofEdges) + changeDoubt(s.plane, at.plane, ofPlanes) +
-                  changeDoubt(s.beyond, at.beyond, ofPlanes) + SHARED_FLOAT(1.0) / TICKS;
-    for (float t = SHARED_FLOAT(0.0); t < SHARED_FLOAT(1.0);) {
-        float next = nextChange(at, t), middle = SHARED_FLOAT(0.5) * (t + next);
-        vec3 edges = abs(vec3(cubicAt(s.edge0, middle), cubicAt(s.edge1, middle), cubicAt(s.edge2, middle)));
-        bool small = min(min(edges.x, edges.y), edges.z) <= ofEdges ||
-                     min(abs(cubicAt(s.plane, middle)), abs(cubicAt(s.beyond, middle))) <= ofPlanes;
-        if (small) doubt += next - t;
-        t = next;
-    }
+    vec2 doubts = doubtsOf(p);
+    if (neverShadows(doubted(s, doubts.x, doubts.y))) return SHARED_FLOAT(0.0);
+    float doubt = changeDoubt(asCubic(s.edge0, motion), doubts.x) + changeDoubt(asCubic(s.edge1, motion), doubts.x) +
+                  changeDoubt(asCubic(s.edge2, motion), doubts.x) + changeDoubt(s.plane, doubts.y) +
+                  changeDoubt(s.beyond, doubts.y) + SHARED_FLOAT(1.0) / TICKS;
     return min(doubt, SHARED_FLOAT(1.0));
 }
 

@@ -130,6 +130,50 @@ TEST(TimeIntegral, NeighboursLeaveNoGap) {
     }
 }
 
+/// A triangle of either orientation that rises through the receiver's plane shadows it from the clearance on.
+TEST(TimeIntegral, BeginsWhereTheClearanceEnds) {
+    MotionPiece p;
+    p.lightOpen = p.lightClose = vec3(0, 0, 10);
+    p.open0 = vec3(-1, -1, -1), p.open1 = vec3(1, -1, -1), p.open2 = vec3(0, 1, -1);
+    p.clearance = 0.25f;
+    for (const bool turned : {false, true}) {
+        if (turned) std::swap(p.open0, p.open1);
+        const vec3 way(0, 0, 2);
+        p.close0 = p.open0 + way, p.close1 = p.open1 + way, p.close2 = p.open2 + way;
+        const TimeUnion u = shared::withShadow(shared::emptyTimeUnion(), p, whole, MOTION_ALL);
+        EXPECT_NEAR(u.length / TICKS, 0.375f, 1e-6f);
+        EXPECT_EQ(u.length, shared::mostOf(u.end0) - u.begin0.x);
+    }
+}
+
+/// What is wanted of a piece in parts is what is found in it at once: no part adds or loses a tick.
+TEST(TimeIntegral, PartsAreTheWhole) {
+    AwkwardNumbers numbers(13);
+    for (int i = 0; i < 20000; ++i) {
+        const unsigned motion = numbers.below(4);
+        const MotionPiece p = awkwardMotion(numbers, motion);
+        const float all = shared::withShadow(shared::emptyTimeUnion(), p, whole, motion).length;
+        const float cut = std::floor(numbers.unit() * TICKS);
+        float sum = 0.0f;
+        for (const auto& [from, to] : {std::pair(0.0f, cut), std::pair(cut, TICKS)})
+            sum += shared::withShadow(shared::emptyTimeUnion(), p, {0.0f, TICKS, from, to}, motion).length;
+        ASSERT_EQ(sum, all) << i << ", motion " << motion;
+    }
+}
+
+/// The stated bound holds.
+TEST(TimeIntegral, IsAsRightAsItSays) {
+    AwkwardNumbers numbers(17);
+    for (int i = 0; i < 50000; ++i) {
+        const unsigned motion = MOTION_SCENE + numbers.below(2);
+        const MotionPiece p = awkwardMotion(numbers, motion);
+        const double exact = ShadowedTimes::measure(ShadowedTimes(inDouble(p)).intervals());
+        const TimeUnion u = shared::withShadow(shared::emptyTimeUnion(), p, whole, motion);
+        const double error = std::abs(static_cast<double>(u.length / TICKS) - exact);
+        ASSERT_LE(error, static_cast<double>(shared::shadowDoubt(p, motion)) + 1e-6) << i;
+    }
+}
+
 TEST(TimeUnion, IsTheSameInAnyOrder) {
     std::mt19937 random(5);
     for (int round = 0; round < 20000; ++round) {
