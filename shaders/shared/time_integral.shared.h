@@ -200,7 +200,10 @@ SHARED_FUNCTION ChangeTimes changeTimesOf(ShadowSigns s, uint motion) {
     }
     for (uint k = motion == MOTION_SCENE ? 3u : 0u; k < 5u; ++k) {
         vec4 b = k == 0u ? s.edge0 : (k == 1u ? s.edge1 : (k == 2u ? s.edge2 : (k == 3u ? s.plane : s.beyond)));
-        vec3 found = changeTimes(b, 3u);
+        vec3 found = none;
+        // Most do not change: software renderers skip a loop that no lane enters.
+        bool changes = leastOf(b) < SHARED_FLOAT(0.0) && mostOf(b) > SHARED_FLOAT(0.0);
+        for (int rounds = changes ? 1 : 0; rounds > 0; --rounds) found = changeTimes(b, 3u);
         if (k == 0u) at.edge0 = found;
         if (k == 1u) at.edge1 = found;
         if (k == 2u) at.edge2 = found;
@@ -258,8 +261,9 @@ SHARED_FUNCTION TimeUnion withShadow(TimeUnion u, MotionPiece p, PieceTicks tick
         ChangeTimes at = changeTimesOf(signs, motion);
         for (float t = SHARED_FLOAT(0.0); t < SHARED_FLOAT(1.0);) {
             float next = nextChange(at, t);
-            if (shadowsAt(p, SHARED_FLOAT(0.5) * (t + next)))
-                u = withInterval(u, max(tickOf(ticks, t), ticks.from), min(tickOf(ticks, next), ticks.to));
+            float begin = max(tickOf(ticks, t), ticks.from), end = min(tickOf(ticks, next), ticks.to);
+            bool adds = begin < end && shadowsAt(p, SHARED_FLOAT(0.5) * (t + next));
+            for (int add = adds ? 1 : 0; add > 0; --add) u = withInterval(u, begin, end);
             t = next;
         }
     }
