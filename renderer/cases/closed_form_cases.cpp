@@ -187,6 +187,7 @@ void addThinAndFarCasters(Catalogue& all) {
         .quad(still)
         .light({0.0, 0.0, 10.0}, {0.0, 0.0, 20.0})
         .receiver({2.0, 0.0, 0.0}, {2.0, 0.0, 0.0})
+        .column(1.2)  // 1.4 would reach beyond the quad's end at y = -.4, as the light rises
         .finish(all.add(20, "light_recedes", 2.0 / 3.0, 1,
                         "light z 10 to 20, x in [.5, 1.25] static, receiver x 2; dark [0, 1/3]",
                         "a linear path in light space: .5"));

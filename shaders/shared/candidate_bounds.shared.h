@@ -40,11 +40,17 @@ SHARED_FUNCTION uint packCandidateBounds(vec2 low, vec2 high, uint nearestStep) 
     return first.x | (first.y << 5u) | (beyond.x << 10u) | (beyond.y << 15u) | (nearestStep << 20u);
 }
 
-/// A receiver in the same fields. `inCell`: in cells, relative to the cell's low corner.
-SHARED_FUNCTION uint packReceiverPlace(vec2 inCell, uint receiverStep) {
-    uvec2 place = uvec2(clamp(floor(inCell * SHARED_FLOAT(16.0)), vec2(0), vec2(15)));
-    uvec2 left = uvec2(15u) - place;
+/// A receiver in the same fields, that moves within its cell, in the box from `low` to `high`, and is nowhere farther
+/// than its step.
+SHARED_FUNCTION uint packReceiverBox(vec2 low, vec2 high, uint receiverStep) {
+    uvec2 place = uvec2(clamp(floor(high * SHARED_FLOAT(16.0)), vec2(0), vec2(15)));
+    uvec2 left = uvec2(15u) - uvec2(clamp(floor(low * SHARED_FLOAT(16.0)), vec2(0), vec2(15)));
     return place.x | (place.y << 5u) | (left.x << 10u) | (left.y << 15u) | (receiverStep << 20u) | CANDIDATE_GUARDS;
+}
+
+/// A receiver at one place. `inCell`: in cells, relative to the cell's low corner.
+SHARED_FUNCTION uint packReceiverPlace(vec2 inCell, uint receiverStep) {
+    return packReceiverBox(inCell, inCell, receiverStep);
 }
 
 /// Can the candidate shadow the receiver? False only where it can't. All fields are compared by one difference: a guard

@@ -31,7 +31,7 @@ ABOUT = {
     "tests/golden/golden_test.py": ("accumulation", "exact", "history", "ranges", "static", "temporal", "tsm"),
     "tests/parity/range_lists_test.cpp": ("ranges",),
     "tests/parity/sample_pass_test.cpp": ("static",),
-    "tests/parity/shader_variants_test.cpp": ("exact", "interleaved", "tsm"),
+    "tests/parity/shader_variants_test.cpp": ("exact", "integral", "interleaved", "tsm"),
     "tests/parity/technique_views_test.cpp": ("ranges",),
     "tests/technique/reload_test.cpp": ("exact",),  # changes its shader
     "tests/technique/acne_test.cpp": ("interleaved", "ranges", "temporal", "tsm"),

@@ -8,11 +8,11 @@
 
 #include "frame/frame_renderer.h"
 #include "measure/verification.h"
+#include "passes/candidate_grid.h"
 #include "scene_catalogue.h"
 #include "support/crowded_scene.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
-#include "techniques/exact/candidate_grid.h"
 #include "techniques/registry.h"
 
 namespace timeshade {

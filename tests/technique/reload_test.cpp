@@ -59,7 +59,7 @@ const std::vector<Edit> changedLookup{
 const std::vector<Edit> changedBuild{
     {"passes/shadow_map.vert", "positionOpen, 1.0)", "positionOpen * 0.8, 1.0)"},
     {"passes/stochastic.frag", "pattern.xy = vec2(0.5);", "pattern.xy = vec2(0.5, 12.0);"},
-    {"techniques/exact/candidates.glsl", "void addToCell(SweptCaster c, ivec2 cell) {",
+    {"lib/candidate_cells.glsl", "void addToCell(SweptCaster c, ivec2 cell) {",
      "void addToCell(SweptCaster c, ivec2 cell) {\n    if (cell.x % 2 == 0) return;"}};
 
 class Reload : public testing::TestWithParam<std::string> {

@@ -44,7 +44,7 @@ const std::map<std::string, std::vector<std::string>> arrows{
     {"oracle", {"oracle/", "plan/", "scene/", "core/", "shared/"}},
     {"gl", {"gl/", "core/", "shared/"}},
     {"passes", {"passes/", "gl/", "plan/", "scene/", "core/", "shared/"}},
-    {"technique", {"technique/", "passes/", "gl/", "plan/", "scene/", "core/", "shared/"}},
+    {"technique", {"technique/", "culling/", "passes/", "gl/", "plan/", "scene/", "core/", "shared/"}},
     {"techniques", {"techniques/*", "technique/", "culling/", "passes/", "gl/", "plan/", "scene/", "core/", "shared/"}},
     {"frame",
      {"frame/", "technique/", "techniques/registry.h", "passes/", "gl/", "plan/", "scene/", "image/", "core/",

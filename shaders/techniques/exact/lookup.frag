@@ -3,24 +3,8 @@
 // VIEW_CANDIDATES: how many were tested instead. DYNAMIC_TRIANGLES, STATIC_TRIANGLES: there are such.
 // STATIC_CASTERS_TRAVEL: some of the latter move with the light.
 #include "lib/lookup.glsl"
+#include "lib/candidate_lists.glsl"
 #include "lib/segment_test.glsl"
-#include "lib/texel_lists.glsl"
-#include "shared/candidate_bounds.shared.h"
-#include "techniques/exact/least_depth.glsl"
-
-uniform usamplerBuffer dynamicOffsets;
-uniform usamplerBuffer dynamicCandidates;  // triangle, where it is
-uniform usamplerBuffer staticOffsets;
-uniform usamplerBuffer staticCandidates;
-uniform uint dynamicSide;
-uniform uint buckets;
-uniform uint staticSide;
-
-#ifdef STATIC_CASTERS_TRAVEL
-const bool staticCastersTravel = true;
-#else
-const bool staticCastersTravel = false;
-#endif
 
 bool shadows(uint candidate, bool mayMove, Receiver r, vec3 toLight) {
     bool moves = mayMove && (candidate & CANDIDATE_MOVES) != 0u;
@@ -28,13 +12,6 @@ bool shadows(uint candidate, bool mayMove, Receiver r, vec3 toLight) {
 }
 
 float tested = 0.0;  // candidates of this sample
-
-uint maskOf(bvec4 each) { return uint(each.x) | uint(each.y) << 1u | uint(each.z) << 2u | uint(each.w) << 3u; }
-
-// Which of four candidates can shadow a receiver at `place`: one bit each.
-uint reachingOf(uvec4 bounds, uint place) {
-    return maskOf(equal((uvec4(place) - bounds) & uvec4(CANDIDATE_GUARDS), uvec4(CANDIDATE_GUARDS)));
-}
 
 // Does a candidate of the receiver's cell in bucket `bucket` shadow it?
 bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side, uint bucket, bool mayMove, Receiver r,

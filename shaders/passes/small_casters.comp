@@ -1,6 +1,6 @@
 // One invocation per triangle and bucket goes through the cells that the triangle may overlap; triangles that overlap
 // very many are put in a queue for large_casters.comp.
-#include "techniques/exact/candidates.glsl"
+#include "lib/candidate_cells.glsl"
 
 layout(local_size_x = 64) in;
 #include "lib/work_groups.glsl"

@@ -3,7 +3,7 @@
 #include "lib/blocks.glsl"
 #include "lib/cell_lists.glsl"
 #include "lib/triangle_texels.glsl"
-#include "techniques/exact/least_depth.glsl"
+#include "lib/least_depth.glsl"
 #include "shared/candidate_bounds.shared.h"
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;

@@ -1,4 +1,4 @@
-#include "techniques/exact/candidate_cost.h"
+#include "passes/candidate_cost.h"
 
 #include <algorithm>
 #include <cmath>

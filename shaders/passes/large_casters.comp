@@ -1,5 +1,5 @@
 // The triangles and buckets of the queue, one work group at a time for each; the group's invocations share the cells.
-#include "techniques/exact/candidates.glsl"
+#include "lib/candidate_cells.glsl"
 
 layout(local_size_x = 64) in;
 #include "lib/work_groups.glsl"

@@ -7,10 +7,9 @@
 
 #include "gl/growing_buffer.h"
 #include "gl/program_cache.h"
+#include "passes/candidate_cost.h"
 #include "passes/cell_lists.h"
 #include "plan/frame_plan.h"
-#include "technique/stored_along_line.h"
-#include "techniques/exact/candidate_cost.h"
 
 namespace timeshade {
 
@@ -30,10 +29,9 @@ class CandidateGrid {
     /// next one the triangles.
     const gl::Texture& offsets() const { return lists_.offsets(); }
     const gl::Texture& candidates() const { return candidates_.texels(); }
-
-    /// Adds the candidates along a line of the map, each over that part of its cell that its bounds leave, its bucket
-    /// of the shutter, and with the depth that it is never nearer than. Waits for the device.
-    void addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const;
+    /// The same as buffers, to read back.
+    const gl::Buffer& offsetsBuffer() const { return lists_.offsetsBuffer(); }
+    const gl::Buffer& candidatesBuffer() const { return candidates_.buffer(); }
 
     int side() const { return side_; }
     int buckets() const { return buckets_; }

@@ -1,4 +1,4 @@
-#include "techniques/exact/candidate_grid.h"
+#include "passes/candidate_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +67,7 @@ void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t
     }
     constexpr std::size_t together = CANDIDATES_TOGETHER;
     candidates_.reserve(2 * std::max<std::size_t>((entries_ + together - 1) / together, 1),
-                        "lower exact.buckets, or draw fewer triangles");
+                        "lower the number of buckets, or draw fewer triangles");
     lists_.bindCursors();
     candidates_.bindForWriting(TECHNIQUE_STORAGE_BINDING);
     insert(plan, casters.size(), true);
@@ -81,7 +81,7 @@ void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill
     if (items > maxCells())
         throw LimitError(
             fmt::format("{} casters in {} buckets need a block of {} bytes; this device's "
-                        "GL_MAX_SHADER_STORAGE_BLOCK_SIZE is less: lower exact.buckets",
+                        "GL_MAX_SHADER_STORAGE_BLOCK_SIZE is less: lower the number of buckets",
                         casters, buckets_, queueBytes));
     if (!queue_ || queue_->bytes() < queueBytes) queue_.emplace("casters of many cells", queueBytes);
     if (!fill) {
@@ -95,10 +95,10 @@ void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill
     if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
     if (fill) defines.emplace_back("FILL", "1");
     for (const bool large : {false, true}) {
-        const gl::Program& program = programs_.get(
-            {.label = large ? "large casters" : "small casters",
-             .defines = defines,
-             .compute = large ? "techniques/exact/large_casters.comp" : "techniques/exact/small_casters.comp"});
+        const gl::Program& program =
+            programs_.get({.label = large ? "large casters" : "small casters",
+                           .defines = defines,
+                           .compute = large ? "passes/large_casters.comp" : "passes/small_casters.comp"});
         program.use(gl::Inputs()
                         .set("gridSide", static_cast<std::uint32_t>(side_))
                         .set("buckets", static_cast<std::uint32_t>(buckets_)));

@@ -1,10 +1,11 @@
+#include "technique/candidate_marks.h"
+
 #include <algorithm>
 #include <bit>
 #include <optional>
 
 #include "gl/read_back.h"
 #include "shared/candidate_bounds.shared.h"
-#include "techniques/exact/candidate_grid.h"
 
 namespace timeshade {
 
@@ -40,24 +41,25 @@ std::optional<std::pair<double, double>> partInside(const MapLine& line, const T
 
 }  // namespace
 
-void CandidateGrid::addMarks(const FramePlan& plan, const MapLine& line, std::vector<StoredMark>& marks) const {
-    const auto side = static_cast<std::size_t>(side_);
-    for (const TexelOnLine& cell : texelsAlong(line, glm::ivec2(side_))) {
-        for (int bucket = 0; bucket < buckets_; ++bucket) {
+void addCandidateMarks(const FramePlan& plan, const CandidateGrid& grid, const MapLine& line,
+                       std::vector<StoredMark>& marks) {
+    const auto side = static_cast<std::size_t>(grid.side());
+    for (const TexelOnLine& cell : texelsAlong(line, glm::ivec2(grid.side()))) {
+        for (int bucket = 0; bucket < grid.buckets(); ++bucket) {
             const std::size_t list =
                 (static_cast<std::size_t>(bucket) * side + static_cast<std::size_t>(cell.texel.y)) * side +
                 static_cast<std::size_t>(cell.texel.x);
-            const auto span = gl::readElements<GLuint>(lists_.offsetsBuffer(), list, 2);
+            const auto span = gl::readElements<GLuint>(grid.offsetsBuffer(), list, 2);
             for (GLuint entry = span[0]; entry < span[1]; ++entry) {
                 const std::size_t place = shared::candidatePlace(entry);
-                const auto words = gl::readElements<GLuint>(candidates_.buffer(), place, CANDIDATES_TOGETHER + 1);
-                const auto part = partInside(line, cell, side_, words.front());
+                const auto words = gl::readElements<GLuint>(grid.candidatesBuffer(), place, CANDIDATES_TOGETHER + 1);
+                const auto part = partInside(line, cell, grid.side(), words.front());
                 if (!part) continue;
                 const double depth = leastDepthOf(plan, (words.front() >> 20u) & 2047u);
                 StoredMark mark{part->first,
                                 part->second,
-                                static_cast<double>(bucket) / buckets_,
-                                static_cast<double>(bucket + 1) / buckets_,
+                                static_cast<double>(bucket) / grid.buckets(),
+                                static_cast<double>(bucket + 1) / grid.buckets(),
                                 depth,
                                 depth};
                 mark.triangle = words.back() & ~CANDIDATE_MOVES;

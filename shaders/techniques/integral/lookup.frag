@@ -1,0 +1,172 @@
+// The share of an interval of the shutter during which a receiver sees the light: 1 - |union of the times at which a
+// candidate shadows it| (ours; docs/numerics.md, "Integrals over time"). Casters and receiver move; the times are the
+// roots of polynomials, and nothing is sampled.
+//
+// MOTION: what moves (shared/time_integral.shared.h). VIEW_CANDIDATES: how many were solved instead. VIEW_ERROR: how
+// far the mean may be off. DYNAMIC_TRIANGLES, STATIC_TRIANGLES, STATIC_CASTERS_TRAVEL: as in lib/candidate_lists.glsl.
+#include "lib/candidate_lists.glsl"
+#include "lib/lookup.glsl"
+#include "lib/only_if.glsl"
+#include "shared/shutter_response.shared.h"
+#include "techniques/integral/cells.glsl"
+
+float solved = 0.0;  // candidates of this sample
+float doubt = 0.0;   // ticks
+
+MotionPiece motionPiece(ReceiverSegment s, VertexMotion v, float begin, float end) {
+    float u0 = timeOf(s, begin), u1 = timeOf(s, end);
+    vec3 from = mix(s.open, s.close, begin / TICKS), to = mix(s.open, s.close, end / TICKS);
+    SeenVertices open = seenVertices(v, from, u0), close = seenVertices(v, to, u1);
+    return MotionPiece(mix(s.toOpen, s.toClose, begin / TICKS), mix(s.toOpen, s.toClose, end / TICKS), open.v0, open.v1,
+                       open.v2, close.v0, close.v1, close.v2, s.clearance);
+}
+
+// The union with the shadows of the candidates of one cell.
+TimeUnion withCell(TimeUnion dark, ReceiverSegment s, CellPiece p, vec2 wanted, usamplerBuffer candidates, ivec2 span,
+                   uint box, bool mayMove) {
+    const int together = int(CANDIDATES_TOGETHER);  // as many as a vector holds
+    const uint all = (1u << CANDIDATES_TOGETHER) - 1u;
+    int first = span.x, last = span.y;
+    int entry = first & ~(together - 1);
+    uvec4 ids = uvec4(0u);
+    uint waiting = 0u;  // of those, which are still to be solved
+    PieceTicks ticks = PieceTicks(p.begin, p.end, wanted.x, wanted.y);
+    while (dark.full == 0u && dark.length < wanted.y - wanted.x) {
+        while (waiting == 0u && entry < last) {
+            int texel = int(uint(entry) / CANDIDATES_TOGETHER * 2u);
+            waiting = reachingOf(texelFetch(candidates, texel), box) & (all << uint(max(first - entry, 0))) &
+                      (all >> uint(max(entry + together - last, 0)));
+            ids = texelFetch(candidates, texel + 1);
+            waiting &= ~maskOf(equal(ids & uvec4(~CANDIDATE_MOVES), uvec4(s.triangle)));
+            entry += together;
+        }
+        if (waiting == 0u) break;
+        solved += 1.0;
+        uint id = (waiting & 1u) != 0u ? ids.x : (waiting & 2u) != 0u ? ids.y : (waiting & 4u) != 0u ? ids.z : ids.w;
+        bool moves = mayMove && (id & CANDIDATE_MOVES) != 0u;
+        MotionPiece m = motionPiece(s, fetchMotion(trianglePositions, id & ~CANDIDATE_MOVES, moves), p.begin, p.end);
+        dark = withShadow(dark, m, ticks, MOTION);
+#ifdef VIEW_ERROR
+        doubt += shadowDoubt(m, MOTION) * (p.end - p.begin);
+#endif
+        waiting &= waiting - 1u;
+    }
+    return dark;
+}
+
+// The union with the shadows of all candidates, as far as they lie in the ticks `wanted`. The pieces are those of the
+// whole way whatever is wanted.
+TimeUnion withLists(TimeUnion dark, ReceiverSegment s, vec2 wanted, usamplerBuffer offsets, usamplerBuffer candidates,
+                    uint side, uint bucketCount, bool mayMove) {
+    float begin = s.first;
+    ivec2 cell = ivec2(floor(onMap(mapBlossom(s, begin, begin)) * float(side)));
+    uint bucket = min(uint(timeOf(s, begin) * float(bucketCount)), bucketCount - 1u);
+    int left = 4 * int(side) + 2 * int(bucketCount);  // no way is longer, whatever is rounded
+    while (begin < min(s.last, wanted.y) && dark.full == 0u && dark.length < wanted.y - wanted.x && left > 0) {
+        --left;
+        float closes = (float(bucket + 1u) / float(bucketCount) - s.u0) / max(s.u1 - s.u0, 1e-12) * TICKS;
+        float end = bucket + 1u < bucketCount ? clamp(floor(closes + 0.5), begin, s.last) : s.last;
+        CellPiece p = pieceIn(s, cell, begin, end, float(side));
+        if (p.end > max(p.begin, wanted.x)) {
+            ivec2 inside = clamp(cell, ivec2(0), ivec2(side) - 1);
+            ivec2 span = listSpan(offsets, int((bucket * side + uint(inside.y)) * side) + inside.x);
+            dark = withCell(dark, s, p, wanted, candidates, span, boxOf(p, float(side)), mayMove);
+        }
+        begin = p.end;
+        cell += p.onwards;
+        if (p.onwards == ivec2(0)) bucket = min(bucket + 1u, bucketCount - 1u);
+    }
+    return dark;
+}
+
+TimeUnion darkTimes(ReceiverSegment s, vec2 wanted) {
+    TimeUnion dark = emptyTimeUnion();
+    ONLY_IF(s.untested.length > 0.0) {
+        TimeUnion away = s.untested;
+        for (int i = 0; i < 4; ++i) {
+            dark = withInterval(dark, max(away.begin0[i], wanted.x), min(away.end0[i], wanted.y));
+            dark = withInterval(dark, max(away.begin1[i], wanted.x), min(away.end1[i], wanted.y));
+        }
+    }
+#ifdef DYNAMIC_TRIANGLES
+    dark = withLists(dark, s, wanted, dynamicOffsets, dynamicCandidates, dynamicSide, buckets, true);
+#endif
+#ifdef STATIC_TRIANGLES
+    dark = withLists(dark, s, wanted, staticOffsets, staticCandidates, staticSide, 1u, staticCastersTravel);
+#endif
+    return dark;
+}
+
+// The exposure from the segment's begin until a tick; whole numbers, so that sums are exact.
+float exposureUntil(ReceiverSegment s, float tick) {
+    if (frame.response == SHUTTER_BOX || s.u1 <= s.u0) return tick;
+    float begin = shutterExposure(frame.response, frame.responseWidth, s.u0);
+    float whole = shutterExposure(frame.response, frame.responseWidth, s.u1) - begin;
+    float until = shutterExposure(frame.response, frame.responseWidth, timeOf(s, tick)) - begin;
+    return floor(clamp(until / whole, 0.0, 1.0) * TICKS + 0.5);
+}
+
+// Of the part of a union between two ticks.
+float exposureOf(ReceiverSegment s, TimeUnion u, float from, float to) {
+    if (frame.response == SHUTTER_BOX && from <= 0.0 && to >= TICKS) return u.length;
+    float sum = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        float a = max(u.begin0[i], from), b = min(u.end0[i], to), c = max(u.begin1[i], from), d = min(u.end1[i], to);
+        if (a < b) sum += exposureUntil(s, b) - exposureUntil(s, a);
+        if (c < d) sum += exposureUntil(s, d) - exposureUntil(s, c);
+    }
+    return sum;
+}
+
+// The mean over the times at which the receiver is tested. Where the union is full the interval is halved and the
+// candidates are read again: nothing is merged, and no order matters.
+float litOverSegment(ReceiverSegment s) {
+    float lit = 0.0;
+    vec2 wanted = vec2(s.first, s.last);
+    while (wanted.x < s.last) {
+        TimeUnion dark = darkTimes(s, wanted);
+        float width = wanted.y - wanted.x;
+        if (dark.full != 0u) {
+            wanted.y = wanted.x + floor(0.5 * width);
+            continue;
+        }
+        lit += exposureUntil(s, wanted.y) - exposureUntil(s, wanted.x) - exposureOf(s, dark, wanted.x, wanted.y);
+        if (intervalsOf(dark) <= 3.0) width *= 2.0;
+        wanted = vec2(wanted.y, min(s.last, wanted.y + width));
+    }
+    // A driver may bound the rounds of loops (65,535 here): then the mean is that of what was integrated.
+    float until = min(wanted.x, s.last);
+    doubt += s.last - until;
+    float tested = exposureUntil(s, until) - exposureUntil(s, s.first) - exposureOf(s, s.untested, s.first, until);
+    return tested > 0.0 ? lit / tested : 1.0;
+}
+
+float litOver(MovingTriangle t, Receiver r, float u0, float u1) { return litOverSegment(segmentOn(t, r, u0, u1)); }
+
+#if defined(VIEW_CANDIDATES) || defined(VIEW_ERROR)
+uniform float share;  // of a sample in its pixel
+layout(location = 0) out float outputValue;
+
+void main() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
+    outputValue = 0.0;
+    if (id == NO_TRIANGLE) return;
+    MovingTriangle t = fetchTriangle(id);
+    Receiver r = receiverOf(t, id, pixel, stratum);
+    if (!facesLight(r)) return;
+#ifdef FOOTPRINT_SHUTTER
+    litOver(t, r, frame.timeBase, frame.timeBase + float(frame.strata) * frame.timeScale);
+#else
+    float begin = frame.timeBase + float(stratum) * frame.timeScale;
+    litOver(t, r, begin, begin + frame.timeScale);
+#endif
+#ifdef VIEW_ERROR
+    outputValue = min(1.0, doubt / TICKS) * share;
+#else
+    outputValue = solved * share;
+#endif
+}
+#else
+#include "lib/lookup_main.glsl"
+#endif
