@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "technique/technique.h"
-#include "techniques/temporal/moving_covers.h"
+#include "passes/moving_covers.h"
 
 namespace timeshade {
 
