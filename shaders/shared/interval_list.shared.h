@@ -5,6 +5,7 @@
 
 // The list of intervals of one texel. Whoever includes this has declared
 //     MapInterval loadInterval(uint place)
+//     float loadBegin(uint place)              its begin alone
 //     void storeInterval(uint place, MapInterval i)
 // before, in the same namespace; the latter only for compressIntervals. Places `first` up to `last`, not included, are
 // the list. Software renderers break off the loops of an invocation after 65,535 rounds in all: none here goes over all
@@ -12,16 +13,29 @@
 
 SHARED_BEGIN
 
-/// How many of the list come before the one at `place`: its place in order, whatever order the list is in. `asDrawn`:
-/// by isDrawnBefore, else by comesBefore. What begins after the shutter's close comes last.
-SHARED_FUNCTION uint rankOf(uint first, uint last, uint place, bool asDrawn) {
+/// How many of the list come before the one at `place`, by time: its place in order, whatever order the list is in.
+SHARED_FUNCTION uint rankByTime(uint first, uint last, uint place) {
+    MapInterval i = loadInterval(place);
+    uint rank = 0u;
+    for (uint other = first; other < last; ++other) {
+        float begin = loadBegin(other);
+        if (begin < i.begin) ++rank;
+        // A loop of one round where a branch would do (lib/only_if.glsl).
+        for (int rounds = begin == i.begin && other != place ? 1 : 0; rounds > 0; --rounds) {
+            MapInterval o = loadInterval(other);
+            if (comesBefore(o, i) || (!comesBefore(i, o) && other < place)) ++rank;
+        }
+    }
+    return rank;
+}
+
+/// The same in the order in which triangles are drawn.
+SHARED_FUNCTION uint rankAsDrawn(uint first, uint last, uint place) {
     MapInterval i = loadInterval(place);
     uint rank = 0u;
     for (uint other = first; other < last; ++other) {
         MapInterval o = loadInterval(other);
-        bool before = asDrawn ? isDrawnBefore(o, i) : comesBefore(o, i);
-        bool after = asDrawn ? isDrawnBefore(i, o) : comesBefore(i, o);
-        if (before || (!after && other < place)) ++rank;
+        if (isDrawnBefore(o, i) || (!isDrawnBefore(i, o) && other < place)) ++rank;
     }
     return rank;
 }

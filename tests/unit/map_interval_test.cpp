@@ -14,6 +14,7 @@ namespace {
 std::vector<MapInterval> list;
 
 MapInterval loadInterval(std::uint32_t place) { return list.at(place); }
+float loadBegin(std::uint32_t place) { return list.at(place).begin; }
 void storeInterval(std::uint32_t place, const MapInterval& i) { list.at(place) = i; }
 
 }  // namespace
@@ -71,7 +72,8 @@ List inOrder(const List& intervals, bool asDrawn) {
     shared::list = intervals;
     List ordered(intervals.size());
     for (std::uint32_t place = 0; place < sizeOf(intervals); ++place)
-        ordered[shared::rankOf(0, sizeOf(intervals), place, asDrawn)] = intervals[place];
+        ordered[asDrawn ? shared::rankAsDrawn(0, sizeOf(intervals), place)
+                        : shared::rankByTime(0, sizeOf(intervals), place)] = intervals[place];
     return ordered;
 }
 

@@ -58,7 +58,7 @@ void IntervalsShadow::visitSettings(SettingsVisitor& visitor) {
                    "merged whose distance that changes least.");
     visitor.whole("depth_pieces", depthPieces_, 1, 1, 16, "",
                   "As published only: into how many intervals of equal length one of a triangle that turns is cut.");
-    visitor.number("published_bias", publishedBias_, 1.0, 0.0, 64.0, "texels",
+    visitor.number("published_bias", publishedBias_, 4.0, 0.0, 64.0, "texels",
                    "As published only, in place of bias. The thesis has one and gives no value.");
 }
 

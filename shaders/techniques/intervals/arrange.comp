@@ -11,8 +11,8 @@ layout(std430, binding = ARRANGED_IDS_BINDING) writeonly buffer ArrangedIds { ui
 uniform uint asDrawn;
 
 MapInterval loadInterval(uint place) { return collectedInterval(place); }
+float loadBegin(uint place) { return intervalTimes[place].x; }
 #else
-const uint asDrawn = 0u;
 layout(std430, binding = ARRANGED_OFFSETS_BINDING) readonly buffer ArrangedOffsets { uint arrangedOffsets[]; };
 layout(std430, binding = VISIBLE_TIMES_BINDING) readonly buffer VisibleTimes { vec2 visibleTimes[]; };
 
@@ -20,6 +20,7 @@ MapInterval loadInterval(uint place) {
     vec2 times = visibleTimes[place];
     return clippedTo(collectedInterval(place), times.x, times.y);
 }
+float loadBegin(uint place) { return visibleTimes[place].x; }
 #endif
 void storeInterval(uint place, MapInterval i) {}
 
@@ -31,11 +32,11 @@ void main() {
     MapInterval i = loadInterval(place);
     if (i.begin >= i.end) return;
     uint texel = texelOfInterval(place), first = listOffsets[texel];
-    uint target = rankOf(first, listOffsets[texel + 1u], place, asDrawn != 0u);
+    uint last = listOffsets[texel + 1u];
 #ifdef AS_PUBLISHED
-    target += first;
+    uint target = first + (asDrawn != 0u ? rankAsDrawn(first, last, place) : rankByTime(first, last, place));
 #else
-    target += arrangedOffsets[texel];
+    uint target = arrangedOffsets[texel] + rankByTime(first, last, place);
 #endif
     arrangedTimes[target] = vec2(i.begin, i.end);
     arrangedDepths[target] = vec2(i.depthBegin, i.depthEnd);

@@ -20,6 +20,8 @@ MapInterval loadInterval(uint place) {
     return MapInterval(times.x, times.y, depths.x, depths.y, arrangedIds[place]);
 }
 
+float loadBegin(uint place) { return arrangedTimes[place].x; }
+
 void storeInterval(uint place, MapInterval i) {
     arrangedTimes[place] = vec2(i.begin, i.end);
     arrangedDepths[place] = vec2(i.depthBegin, i.depthEnd);

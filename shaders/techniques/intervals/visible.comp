@@ -9,6 +9,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = VISIBLE_TIMES_BINDING) writeonly buffer VisibleTimes { vec2 visibleTimes[]; };
 
 MapInterval loadInterval(uint place) { return collectedInterval(place); }
+float loadBegin(uint place) { return intervalTimes[place].x; }
 void storeInterval(uint place, MapInterval i) {}
 
 #include "shared/interval_list.shared.h"
