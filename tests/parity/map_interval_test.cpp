@@ -27,7 +27,8 @@ TEST(SharedMapInterval, IsTheSameInBothLanguages) {
             input.insert(input.end(), {begin, number(begin, 1.0f), number(1.0f, 20.0f), number(1.0f, 20.0f)});
     }
     const std::vector<std::uint32_t> output = runOnGpu("shared/map_interval.shared.h", R"(
-    MapInterval a = MapInterval(in_(0), in_(1), in_(2), in_(3), 1u), b = MapInterval(in_(4), in_(5), in_(6), in_(7), 2u);
+    MapInterval a = MapInterval(in_(0), in_(1), in_(2), in_(3), 1u);
+    MapInterval b = MapInterval(in_(4), in_(5), in_(6), in_(7), 2u);
     vec2 hidden = hiddenSpan(a, b), other = hiddenSpan(b, a);
     put(0, hidden.x);
     put(1, hidden.y);

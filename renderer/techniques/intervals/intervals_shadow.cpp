@@ -28,7 +28,7 @@ const TechniqueDescription& IntervalsShadow::describe() {
         .source = "Palmér 2011, after Gribel, Doggett and Akenine-Möller 2010",
         .wrong = "Space, not time: a texel answers for its centre, so that edges follow the map's grid.",
         .look = "cubes, as published with a capacity of 8: its view of errors shows where intervals were merged.",
-        .picture = "cubes, left as published with 8 intervals a texel, right ground truth.",
+        .picture = "pillars, left as published with 8 intervals a texel and a bias of 1, right ground truth.",
         .references = {"J. Palmér 2011: Analytical Motion Blurred Shadows. Master's thesis, Lund University.",
                        "C. J. Gribel, M. Doggett, T. Akenine-Möller 2010: Analytical motion blur rasterization with "
                        "compression. High-Performance Graphics."},

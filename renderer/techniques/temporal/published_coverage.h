@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "technique/technique.h"
 #include "passes/moving_covers.h"
+#include "technique/technique.h"
 
 namespace timeshade {
 

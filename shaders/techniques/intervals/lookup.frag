@@ -50,7 +50,7 @@ float litOf(MovingTriangle t, Receiver r) {
         vec2 share = mix(1.0 - weight, weight, vec2(off));
         lit += shadowedInTexel(ivec2(corner) + off, plane, r) ? 0.0 : share.x * share.y;
     }
-    return lit;
+    return min(lit, 1.0);  // weights are rounded
 #else
     return shadowedInTexel(ivec2(floor(place)), plane, r) ? 0.0 : 1.0;
 #endif
