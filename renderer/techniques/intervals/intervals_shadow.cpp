@@ -56,7 +56,7 @@ void IntervalsShadow::visitSettings(SettingsVisitor& visitor) {
     visitor.choice("capacity", capacity_, 0, {"8", "16", "32", "none"},
                    "As published only: how many intervals a texel holds. Where there are more, the two neighbours are "
                    "merged whose distance that changes least.");
-    visitor.whole("depth_pieces", depthPieces_, 1, 1, 16, "",
+    visitor.whole("depth_pieces", depthPieces_, 1, 1, 16, "parts",
                   "As published only: into how many intervals of equal length one of a triangle that turns is cut.");
     visitor.number("published_bias", publishedBias_, 4.0, 0.0, 64.0, "texels",
                    "As published only, in place of bias. The thesis has one and gives no value.");
