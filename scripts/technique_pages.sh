@@ -33,6 +33,8 @@ page deep 270 150 pillars --frame 11 --map 512 -- --technique deep -- --techniqu
 page layers 390 130 octopus --camera reef --frame 96 --map 512 -- --technique tsm -- --technique layers
 page interleaved 200 100 pillars --frame 11 --map 256 -- --technique interleaved -- --technique exact
 page temporal 250 170 pillars --camera between --frame 12 --map 256 -- --technique temporal -- --technique exact
+page intervals 270 150 pillars --frame 11 --map 512 \
+    -- --technique intervals --set intervals.as_published=on --set intervals.published_bias=1 -- --technique exact
 page ranges 250 170 pillars --camera between --frame 12 --map 256 -- --technique ranges -- --technique exact
 page history 60 150 chess --camera knight --frame 20 --map 256 -- --technique history -- --technique exact
 page exact 340 110 cubes --set cubes.count=2000 --technique exact -- --view final -- --view candidates

@@ -1,6 +1,7 @@
 #include "scenes/scene_recipe.h"
 
 #include "scenes/crossing.h"
+#include "scenes/cube.h"
 #include "scenes/cubes.h"
 #include "scenes/depths.h"
 #include "scenes/frusta.h"
@@ -19,6 +20,7 @@ std::vector<std::unique_ptr<SceneRecipe>> allRecipes() {
     recipes.push_back(std::make_unique<Sphere>());
     recipes.push_back(std::make_unique<Crossing>());
     recipes.push_back(std::make_unique<Depths>());
+    recipes.push_back(std::make_unique<Cube>());
     return recipes;
 }
 

@@ -4,7 +4,7 @@
 
 #include "gl/growing_buffer.h"
 #include "passes/cell_lists.h"
-#include "techniques/temporal/moving_covers.h"
+#include "passes/moving_covers.h"
 #include "techniques/temporal/tuple_lists.h"
 
 namespace timeshade {

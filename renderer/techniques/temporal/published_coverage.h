@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "passes/moving_covers.h"
 #include "technique/technique.h"
-#include "techniques/temporal/moving_covers.h"
 
 namespace timeshade {
 

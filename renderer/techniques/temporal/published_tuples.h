@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "gl/growing_buffer.h"
-#include "techniques/temporal/moving_covers.h"
+#include "passes/moving_covers.h"
 #include "techniques/temporal/published_coverage.h"
 #include "techniques/temporal/tuple_lists.h"
 

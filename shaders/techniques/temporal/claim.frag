@@ -1,7 +1,7 @@
 // Claims a texel for a triangle that covers its centre all through the shutter (the coverage map of Hong and Oh 2017,
 // with an exact test instead of "both ends cover"): the depth written is the greatest that the triangle has inside the
 // texel during the shutter.
-#include "techniques/temporal/moving_triangle.glsl"
+#include "lib/covering_triangle.glsl"
 
 // Farthest corner of the texel on the triangle's plane. Distance is 1 / linear over the map at any time, so that
 // corners bound it.

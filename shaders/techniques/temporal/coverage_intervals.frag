@@ -6,7 +6,7 @@
 #include "lib/cell_lists.glsl"
 #include "lib/only_if.glsl"
 #include "techniques/temporal/bindings.shared.h"
-#include "techniques/temporal/moving_triangle.glsl"
+#include "lib/covering_triangle.glsl"
 
 #ifdef COVERAGE_MAP
 #include "techniques/temporal/coverage.glsl"

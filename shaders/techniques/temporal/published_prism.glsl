@@ -2,7 +2,7 @@
 // triangles (the paper says only that it is triangulated). The fragments that a rasteriser would make of its eight
 // triangles at this texel's centre are computed here at once, with what it would interpolate: time, with perspective,
 // and NDC depth. Homogeneous edge functions clip at the near plane as a rasteriser does, and such a prism is open.
-#include "techniques/temporal/moving_triangle.glsl"
+#include "lib/covering_triangle.glsl"
 
 struct PrismFragment {
     float time;

@@ -13,7 +13,7 @@ namespace timeshade {
 
 /// One cheap cover a moving triangle over all texels of the light's map that it may visit during the shutter: a point
 /// where its sweep is small, else a rectangle. The fragment shader gets the triangle
-/// (techniques/temporal/moving_triangle.glsl) and decides.
+/// (lib/covering_triangle.glsl) and decides.
 class MovingCovers {
   public:
     MovingCovers();

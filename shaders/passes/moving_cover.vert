@@ -5,8 +5,8 @@
 // where that is smaller: a triangle that moves far sweeps a narrow band of its bounding box.
 #include "lib/blocks.glsl"
 #include "lib/triangle_texels.glsl"
+#include "shared/frame_blocks.shared.h"
 #include "shared/swept_bounds.shared.h"
-#include "techniques/temporal/bindings.shared.h"
 
 layout(binding = TRIANGLE_POSITIONS_UNIT) uniform samplerBuffer trianglePositions;
 uniform usamplerBuffer coverTriangles;

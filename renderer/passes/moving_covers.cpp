@@ -1,11 +1,10 @@
-#include "techniques/temporal/moving_covers.h"
+#include "passes/moving_covers.h"
 
 #include <algorithm>
 #include <array>
 #include <span>
 
 #include "plan/view_triangle.h"
-#include "techniques/temporal/bindings.shared.h"
 
 namespace timeshade {
 
@@ -63,8 +62,7 @@ void MovingCovers::draw(gl::ProgramCache& programs, const std::string& fragment,
     if (orthographic_) all.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
     glDisable(GL_BLEND);
     if (large_ > 0) {
-        const gl::Program& program =
-            programs.get({"moving rectangles", "techniques/temporal/cover.vert", fragment, all});
+        const gl::Program& program = programs.get({"moving rectangles", "passes/moving_cover.vert", fragment, all});
         program.use(gl::Inputs(inputs).texture("coverTriangles", largeTriangles_.texels()));
         glBindVertexArray(rectangles_.name());
         for (std::size_t first = 0; first < large_; first += rectanglesPerCall)
@@ -74,7 +72,7 @@ void MovingCovers::draw(gl::ProgramCache& programs, const std::string& fragment,
     }
     if (small_ > 0) {
         all.emplace_back("COVER_POINTS", "1");
-        const gl::Program& program = programs.get({"moving points", "techniques/temporal/cover.vert", fragment, all});
+        const gl::Program& program = programs.get({"moving points", "passes/moving_cover.vert", fragment, all});
         program.use(gl::Inputs(inputs).texture("coverTriangles", smallTriangles_.texels()));
         glEnable(GL_PROGRAM_POINT_SIZE);
         glBindVertexArray(points_.name());
