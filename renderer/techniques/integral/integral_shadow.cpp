@@ -13,10 +13,12 @@ namespace {
 
 /// What moves: the degree of the polynomials.
 unsigned motionOf(const FramePlan& plan) {
-    const MotionSummary& motion = plan.motion;
-    if (motion.movingTriangles == 0) return motion.lightMoves ? MOTION_LIGHT : MOTION_NONE;
     const bool directional = plan.light.projection == Projection::Orthographic;
-    return directional && !motion.lightMoves ? MOTION_SCENE : MOTION_ALL;
+    // A sun's position makes no difference.
+    const bool lightMoves =
+        directional ? plan.block.lightDirection != plan.block.lightDirectionClose : plan.motion.lightMoves;
+    if (plan.motion.movingTriangles == 0) return lightMoves ? MOTION_LIGHT : MOTION_NONE;
+    return directional && !lightMoves ? MOTION_SCENE : MOTION_ALL;
 }
 
 constexpr std::array reasons{"nothing moves: constants", "the light alone moves: polynomials of degree 1",
