@@ -250,9 +250,9 @@ SHARED_FUNCTION TimeUnion withShadow(TimeUnion u, MotionPiece p, PieceTicks tick
     bool never = neverShadows(signs);
     if (ticks.from > ticks.begin || ticks.to < ticks.end) {
         // A little more than what is wanted, for what is rounded; the same would be found without this.
-        float length = ticks.end - ticks.begin;
-        float low = clamp((ticks.from - ticks.begin) / length - PART_SLACK, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
-        float high = clamp((ticks.to - ticks.begin) / length + PART_SLACK, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
+        float span = ticks.end - ticks.begin;
+        float low = clamp((ticks.from - ticks.begin) / span - PART_SLACK, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
+        float high = clamp((ticks.to - ticks.begin) / span + PART_SLACK, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
         vec2 doubts = doubtsOf(p);
         never = never || neverShadows(doubted(partOf(signs, low, high, motion), doubts.x, doubts.y));
     }

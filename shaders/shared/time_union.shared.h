@@ -14,7 +14,7 @@ SHARED_BEGIN
 /// A union of at most eight intervals that neither overlap nor touch, in no order, with whole ends in [0, TICKS].
 struct TimeUnion {
     vec4 begin0, begin1, end0, end1;  // a free place begins at TIME_UNION_FREE or later and ends at -1
-    float length;                     // of all, in ticks
+    float covered;                    // of all, in ticks
     uint full;                        // 1: an interval found no place; the union lacks it
 };
 
@@ -47,7 +47,7 @@ SHARED_FUNCTION TimeUnion withInterval(TimeUnion u, float begin, float end) {
     const float one = SHARED_FLOAT(1.0);
     vec4 met0 = step(u.begin0, vec4(end)) * step(vec4(begin), u.end0);
     vec4 met1 = step(u.begin1, vec4(end)) * step(vec4(begin), u.end1);
-    float length = u.length - dot(met0, u.end0 - u.begin0) - dot(met1, u.end1 - u.begin1);
+    float covered = u.covered - dot(met0, u.end0 - u.begin0) - dot(met1, u.end1 - u.begin1);
     begin = min(begin, min(leastOf(u.begin0 + (one - met0) * TIME_UNION_FREE),
                            leastOf(u.begin1 + (one - met1) * TIME_UNION_FREE)));
     end = max(end, max(mostOf(u.end0 * met0), mostOf(u.end1 * met1)));
@@ -55,7 +55,7 @@ SHARED_FUNCTION TimeUnion withInterval(TimeUnion u, float begin, float end) {
     u.begin1 += met1 * TIME_UNION_FREE;
     u.end0 = u.end0 * (one - met0) - met0;
     u.end1 = u.end1 * (one - met1) - met1;
-    u.length = length + (end - begin);
+    u.covered = covered + (end - begin);
     vec4 put0 = firstFreeOf(u.begin0, one);
     vec4 put1 = firstFreeOf(u.begin1, one - (put0.x + put0.y + put0.z + put0.w));
     if (put0.x + put0.y + put0.z + put0.w + put1.x + put1.y + put1.z + put1.w == SHARED_FLOAT(0.0)) u.full = 1u;

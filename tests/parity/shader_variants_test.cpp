@@ -270,11 +270,9 @@ void theFramesDrawnHadEveryVariant() {
             if (turns.empty())
                 has("techniques/exact/lookup.frag", joined({orthographic, "CACHE_STATIC=1", "STATIC_CASTERS_ONLY=1",
                                                             "DYNAMIC_TRIANGLES=1", "STATIC_TRIANGLES=1"}));
-            for (const std::string over : {"FOOTPRINT_STRATUM=1", "FOOTPRINT_SHUTTER=1"})
-                has("techniques/integral/lookup.frag",
-                    joined({turns, orthographic, over, "DYNAMIC_TRIANGLES=1",
-                            turns.empty() || !orthographic.empty() ? "STATIC_TRIANGLES=1" : "",
-                            orthographic.empty() ? "MOTION=3u" : "MOTION=2u"}));
+            if (orthographic.empty())  // all moves in the spot's frame
+                for (const std::string over : {"FOOTPRINT_STRATUM=1", "FOOTPRINT_SHUTTER=1"})
+                    has("techniques/integral/lookup.frag", joined({turns, over, "DYNAMIC_TRIANGLES=1", "MOTION=3u"}));
             for (const std::string radius : {"PCF_RADIUS=0", "PCF_RADIUS=1"})
                 for (const auto& [bias, times] :
                      {std::pair{"", ""}, {"DYNAMIC_BIAS=1", ""}, {"DYNAMIC_BIAS=1", "BOTH_TIMES=1"}})

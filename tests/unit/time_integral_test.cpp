@@ -69,9 +69,9 @@ Comparison compare(unsigned motion, int count, std::uint32_t seed) {
         }
         if (u.full != 0) continue;
         const double exact = ShadowedTimes::measure(truth), allowed = ShadowedTimes::measure(doubtful) + 2e-6;
-        const double error = std::abs(static_cast<double>(u.length / TICKS) - exact);
+        const double error = std::abs(static_cast<double>(u.covered / TICKS) - exact);
         if (error > allowed && c.wrong++ == 0)
-            ADD_FAILURE() << "motions " << i << ": " << u.length / TICKS << " for " << exact << ", " << allowed
+            ADD_FAILURE() << "motions " << i << ": " << u.covered / TICKS << " for " << exact << ", " << allowed
                           << " allowed";
         if (allowed > 1e-3) continue;
         ++c.compared;
@@ -141,8 +141,8 @@ TEST(TimeIntegral, BeginsWhereTheClearanceEnds) {
         const vec3 way(0, 0, 2);
         p.close0 = p.open0 + way, p.close1 = p.open1 + way, p.close2 = p.open2 + way;
         const TimeUnion u = shared::withShadow(shared::emptyTimeUnion(), p, whole, MOTION_ALL);
-        EXPECT_NEAR(u.length / TICKS, 0.375f, 1e-6f);
-        EXPECT_EQ(u.length, shared::mostOf(u.end0) - u.begin0.x);
+        EXPECT_NEAR(u.covered / TICKS, 0.375f, 1e-6f);
+        EXPECT_EQ(u.covered, shared::mostOf(u.end0) - u.begin0.x);
     }
 }
 
@@ -152,11 +152,11 @@ TEST(TimeIntegral, PartsAreTheWhole) {
     for (int i = 0; i < 20000; ++i) {
         const unsigned motion = numbers.below(4);
         const MotionPiece p = awkwardMotion(numbers, motion);
-        const float all = shared::withShadow(shared::emptyTimeUnion(), p, whole, motion).length;
+        const float all = shared::withShadow(shared::emptyTimeUnion(), p, whole, motion).covered;
         const float cut = std::floor(numbers.unit() * TICKS);
         float sum = 0.0f;
         for (const auto& [from, to] : {std::pair(0.0f, cut), std::pair(cut, TICKS)})
-            sum += shared::withShadow(shared::emptyTimeUnion(), p, {0.0f, TICKS, from, to}, motion).length;
+            sum += shared::withShadow(shared::emptyTimeUnion(), p, {0.0f, TICKS, from, to}, motion).covered;
         ASSERT_EQ(sum, all) << i << ", motion " << motion;
     }
 }
@@ -169,7 +169,7 @@ TEST(TimeIntegral, IsAsRightAsItSays) {
         const MotionPiece p = awkwardMotion(numbers, motion);
         const double exact = ShadowedTimes::measure(ShadowedTimes(inDouble(p)).intervals());
         const TimeUnion u = shared::withShadow(shared::emptyTimeUnion(), p, whole, motion);
-        const double error = std::abs(static_cast<double>(u.length / TICKS) - exact);
+        const double error = std::abs(static_cast<double>(u.covered / TICKS) - exact);
         ASSERT_LE(error, static_cast<double>(shared::shadowDoubt(p, motion)) + 1e-6) << i;
     }
 }
@@ -193,7 +193,7 @@ TEST(TimeUnion, IsTheSameInAnyOrder) {
             TimeUnion u = shared::emptyTimeUnion();
             for (const auto& [begin, end] : intervals) u = shared::withInterval(u, begin, end);
             ASSERT_EQ(u.full, 0u);
-            ASSERT_EQ(static_cast<double>(u.length), ShadowedTimes::measure(truth));
+            ASSERT_EQ(static_cast<double>(u.covered), ShadowedTimes::measure(truth));
         }
     }
 }
@@ -203,14 +203,14 @@ TEST(TimeUnion, SaysWhenItIsFull) {
     for (int i = 0; i < 8; ++i)
         u = shared::withInterval(u, 10.0f * static_cast<float>(i), 10.0f * static_cast<float>(i) + 5.0f);
     EXPECT_EQ(u.full, 0u);
-    EXPECT_EQ(u.length, 40.0f);
+    EXPECT_EQ(u.covered, 40.0f);
     EXPECT_EQ(shared::withInterval(u, 5.0f, 7.0f).full, 0u) << "it touches another";
     EXPECT_EQ(shared::withInterval(u, 6.0f, 7.0f).full, 1u);
     u = shared::withInterval(u, 0.0f, 75.0f);
-    EXPECT_EQ(u.length, 75.0f);
+    EXPECT_EQ(u.covered, 75.0f);
     u = shared::withInterval(u, 100.0f, 101.0f);
     EXPECT_EQ(u.full, 0u);
-    EXPECT_EQ(u.length, 76.0f);
+    EXPECT_EQ(u.covered, 76.0f);
 }
 
 }  // namespace

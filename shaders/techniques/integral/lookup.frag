@@ -31,7 +31,7 @@ TimeUnion withCell(TimeUnion dark, ReceiverSegment s, CellPiece p, vec2 wanted, 
     uvec4 ids = uvec4(0u);
     uint waiting = 0u;  // of those, which are still to be solved
     PieceTicks ticks = PieceTicks(p.begin, p.end, wanted.x, wanted.y);
-    while (dark.full == 0u && dark.length < wanted.y - wanted.x) {
+    while (dark.full == 0u && dark.covered < wanted.y - wanted.x) {
         while (waiting == 0u && entry < last) {
             int texel = int(uint(entry) / CANDIDATES_TOGETHER * 2u);
             waiting = reachingOf(texelFetch(candidates, texel), box) & (all << uint(max(first - entry, 0))) &
@@ -62,7 +62,7 @@ TimeUnion withLists(TimeUnion dark, ReceiverSegment s, vec2 wanted, usamplerBuff
     ivec2 cell = ivec2(floor(onMap(mapBlossom(s, begin, begin)) * float(side)));
     uint bucket = min(uint(timeOf(s, begin) * float(bucketCount)), bucketCount - 1u);
     int left = 4 * int(side) + 2 * int(bucketCount);  // no way is longer, whatever is rounded
-    while (begin < min(s.last, wanted.y) && dark.full == 0u && dark.length < wanted.y - wanted.x && left > 0) {
+    while (begin < min(s.last, wanted.y) && dark.full == 0u && dark.covered < wanted.y - wanted.x && left > 0) {
         --left;
         float closes = (float(bucket + 1u) / float(bucketCount) - s.u0) / max(s.u1 - s.u0, 1e-12) * TICKS;
         float end = bucket + 1u < bucketCount ? clamp(floor(closes + 0.5), begin, s.last) : s.last;
@@ -81,7 +81,7 @@ TimeUnion withLists(TimeUnion dark, ReceiverSegment s, vec2 wanted, usamplerBuff
 
 TimeUnion darkTimes(ReceiverSegment s, vec2 wanted) {
     TimeUnion dark = emptyTimeUnion();
-    ONLY_IF(s.untested.length > 0.0) {
+    ONLY_IF(s.untested.covered > 0.0) {
         TimeUnion away = s.untested;
         for (int i = 0; i < 4; ++i) {
             dark = withInterval(dark, max(away.begin0[i], wanted.x), min(away.end0[i], wanted.y));
@@ -108,7 +108,7 @@ float exposureUntil(ReceiverSegment s, float tick) {
 
 // Of the part of a union between two ticks.
 float exposureOf(ReceiverSegment s, TimeUnion u, float from, float to) {
-    if (frame.response == SHUTTER_BOX && from <= 0.0 && to >= TICKS) return u.length;
+    if (frame.response == SHUTTER_BOX && from <= 0.0 && to >= TICKS) return u.covered;
     float sum = 0.0;
     for (int i = 0; i < 4; ++i) {
         float a = max(u.begin0[i], from), b = min(u.end0[i], to), c = max(u.begin1[i], from), d = min(u.end1[i], to);
