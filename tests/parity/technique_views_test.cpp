@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "measure/view_scale.h"
 #include "report.h"
+#include "scene_catalogue.h"
 #include "shared/heat_color.shared.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
@@ -58,6 +59,29 @@ TEST(TechniqueViews, ShowWhatTheTechniqueDraws) {
     renderer.draw(smallPlan(), technique, View::Final);
     EXPECT_FALSE(renderer.techniqueView().has_value());
     EXPECT_GE(renderer.readRadiance().rgb[0], 0.0f);
+}
+
+/// Lists on a device are in no order, and what is shown of them may not depend on it: built anew four times.
+TEST(TechniqueViews, AreTheSameEveryTime) {
+    const std::unique_ptr<Scene> scene = openScene("pillars", "");
+    FrameRequest request = ProceduralScene::request(80, 60, 2, 128, 1);
+    request.frame = scene->defaults().frame;
+    request.shutter.length = scene->defaults().shutterLength;
+    request.useCaches = false;
+    const FramePlan plan = FramePlanner(*scene).plan(request);
+    FrameRenderer& renderer = sharedRenderer();
+    for (const TechniqueDescription& description : techniqueDescriptions()) {
+        const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
+        if (technique->settlingFrames() > 0) continue;  // gets better from frame to frame
+        for (const TechniqueView& view : technique->views()) {
+            renderer.draw(plan, *technique, View::Final, view.name);
+            const std::vector<float> first = renderer.readRadiance().rgb;
+            for (int again = 0; again < 3; ++again) {
+                renderer.draw(plan, *technique, View::Final, view.name);
+                EXPECT_EQ(first == renderer.readRadiance().rgb, true) << description.name << "." << view.name;
+            }
+        }
+    }
 }
 
 TEST(TechniqueViews, UnknownOnesAreRefusedInOneLine) {

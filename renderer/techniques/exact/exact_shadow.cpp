@@ -47,7 +47,7 @@ LookupProgram ExactShadow::lookupProgram(const TechniqueFrame&, Casters) {
 }
 
 std::vector<TechniqueView> ExactShadow::views() const {
-    return {{"candidates", "Candidates tested per camera sample", "triangles", 0.0, 32.0, false}};
+    return {{"candidates", "Candidates of a camera sample", "triangles", 0.0, 32.0, false}};
 }
 
 void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name, const gl::Texture& values) {

@@ -86,7 +86,7 @@ LookupProgram IntegralShadow::lookupProgram(const TechniqueFrame& frame, Casters
 }
 
 std::vector<TechniqueView> IntegralShadow::views() const {
-    return {{"candidates", "Candidates solved per camera sample", "triangles", 0.0, 32.0, false},
+    return {{"candidates", "Candidates of a camera sample, piece by piece", "triangles", 0.0, 32.0, false},
             {"error-bound", "Bound on the error of a stratum's mean", "lit", 1e-7, 1.0, true}};
 }
 
@@ -119,8 +119,7 @@ StoredAlongLine IntegralShadow::storedAlong(const TechniqueFrame& frame, const M
     lists_.addMarks(frame, line, stored.marks);
     stored.note =
         "candidates: what may lie there during a bucket of the shutter, no nearer than so; when each shadows a "
-        "receiver "
-        "is solved";
+        "receiver is solved";
     return stored;
 }
 

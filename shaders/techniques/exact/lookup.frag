@@ -1,6 +1,7 @@
 // Is the receiver lit, by testing every triangle that might shadow it, at its own time and position?
 //
-// VIEW_CANDIDATES: how many were tested instead. DYNAMIC_TRIANGLES, STATIC_TRIANGLES: there are such.
+// VIEW_CANDIDATES: how many instead, all of those that a lit receiver is tested against: where the first that shadows
+// it stands in a list is no property of the scene. DYNAMIC_TRIANGLES, STATIC_TRIANGLES: there are such.
 // STATIC_CASTERS_TRAVEL: some of the latter move with the light.
 #include "lib/lookup.glsl"
 #include "lib/candidate_lists.glsl"
@@ -40,10 +41,12 @@ bool shadowedByList(usamplerBuffer offsets, usamplerBuffer candidates, uint side
         if (waiting == 0u) break;
         tested += 1.0;
         uint id = (waiting & 1u) != 0u ? ids.x : (waiting & 2u) != 0u ? ids.y : (waiting & 4u) != 0u ? ids.z : ids.w;
+#ifndef VIEW_CANDIDATES
         if (shadows(id, mayMove, r, toLight)) {
             shadowed = true;
             break;
         }
+#endif
         waiting &= waiting - 1u;
     }
     return shadowed;

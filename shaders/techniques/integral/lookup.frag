@@ -2,16 +2,26 @@
 // candidate shadows it| (ours; docs/numerics.md, "Integrals over time"). Casters and receiver move; the times are the
 // roots of polynomials, and nothing is sampled.
 //
-// MOTION: what moves (shared/time_integral.shared.h). VIEW_CANDIDATES: how many were solved instead. VIEW_ERROR: how
-// far the mean may be off. DYNAMIC_TRIANGLES, STATIC_TRIANGLES, STATIC_CASTERS_TRAVEL: as in lib/candidate_lists.glsl.
+// MOTION: what moves (shared/time_integral.shared.h). VIEW_CANDIDATES: how many instead, all of those that a lit
+// receiver is solved against. VIEW_ERROR: how far the mean may be off. DYNAMIC_TRIANGLES, STATIC_TRIANGLES,
+// STATIC_CASTERS_TRAVEL: as in lib/candidate_lists.glsl.
 #include "lib/candidate_lists.glsl"
 #include "lib/lookup.glsl"
 #include "lib/only_if.glsl"
 #include "shared/shutter_response.shared.h"
 #include "techniques/integral/cells.glsl"
 
-float solved = 0.0;  // candidates of this sample
-float doubt = 0.0;   // ticks
+float solved = 0.0;  // candidates of this sample, once for each piece of its way
+float doubt = 0.0;   // ticks, whole
+
+// Lists have no order: what is shown of them stops nowhere before their end.
+bool isAllDark(TimeUnion dark, vec2 wanted) {
+#if defined(VIEW_CANDIDATES) || defined(VIEW_ERROR)
+    return false;
+#else
+    return dark.covered >= wanted.y - wanted.x;
+#endif
+}
 
 MotionPiece motionPiece(ReceiverSegment s, VertexMotion v, float begin, float end) {
     float u0 = timeOf(s, begin), u1 = timeOf(s, end);
@@ -31,7 +41,7 @@ TimeUnion withCell(TimeUnion dark, ReceiverSegment s, CellPiece p, vec2 wanted, 
     uvec4 ids = uvec4(0u);
     uint waiting = 0u;  // of those, which are still to be solved
     PieceTicks ticks = PieceTicks(p.begin, p.end, wanted.x, wanted.y);
-    while (dark.full == 0u && dark.covered < wanted.y - wanted.x) {
+    while (dark.full == 0u && !isAllDark(dark, wanted)) {
         while (waiting == 0u && entry < last) {
             int texel = int(uint(entry) / CANDIDATES_TOGETHER * 2u);
             waiting = reachingOf(texelFetch(candidates, texel), box) & (all << uint(max(first - entry, 0))) &
@@ -45,9 +55,11 @@ TimeUnion withCell(TimeUnion dark, ReceiverSegment s, CellPiece p, vec2 wanted, 
         uint id = (waiting & 1u) != 0u ? ids.x : (waiting & 2u) != 0u ? ids.y : (waiting & 4u) != 0u ? ids.z : ids.w;
         bool moves = mayMove && (id & CANDIDATE_MOVES) != 0u;
         MotionPiece m = motionPiece(s, fetchMotion(trianglePositions, id & ~CANDIDATE_MOVES, moves), p.begin, p.end);
+#ifndef VIEW_CANDIDATES
         dark = withShadow(dark, m, ticks, MOTION);
+#endif
 #ifdef VIEW_ERROR
-        doubt += shadowDoubt(m, MOTION) * (p.end - p.begin);
+        doubt += ceil(shadowDoubt(m, MOTION) * (p.end - p.begin));
 #endif
         waiting &= waiting - 1u;
     }
@@ -62,7 +74,7 @@ TimeUnion withLists(TimeUnion dark, ReceiverSegment s, vec2 wanted, usamplerBuff
     ivec2 cell = ivec2(floor(onMap(mapBlossom(s, begin, begin)) * float(side)));
     uint bucket = min(uint(timeOf(s, begin) * float(bucketCount)), bucketCount - 1u);
     int left = 4 * int(side) + 2 * int(bucketCount);  // no way is longer, whatever is rounded
-    while (begin < min(s.last, wanted.y) && dark.full == 0u && dark.covered < wanted.y - wanted.x && left > 0) {
+    while (begin < min(s.last, wanted.y) && dark.full == 0u && !isAllDark(dark, wanted) && left > 0) {
         --left;
         float closes = (float(bucket + 1u) / float(bucketCount) - s.u0) / max(s.u1 - s.u0, 1e-12) * TICKS;
         float end = bucket + 1u < bucketCount ? clamp(floor(closes + 0.5), begin, s.last) : s.last;
