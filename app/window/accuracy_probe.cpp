@@ -30,10 +30,7 @@ double millisecondsSince(Clock::time_point begin) {
 
 }  // namespace
 
-std::string errorInWords(const ProbePoint& point) {
-    if (!point.wrongPpm) return fmt::format("shadow error {:.3g}", point.shadowError);
-    return fmt::format("wrong shadow samples {}", inWords({"", std::round(*point.wrongPpm), "ppm", ""}));
-}
+std::string errorInWords(const ProbePoint& point) { return fmt::format("shadow error {:.3g}", point.shadowError); }
 
 std::unique_ptr<Technique> techniqueOf(const ProbeSubject& subject, gl::ProgramCache& programs) {
     std::unique_ptr<Technique> technique = makeTechnique(subject.technique, programs);

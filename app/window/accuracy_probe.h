@@ -30,7 +30,7 @@ struct ProbePoint {
     double rmse = 0.0;               ///< of the image
 };
 
-/// "wrong shadow samples 21,144 ppm", or "shadow error 0.0147" where values average.
+/// "shadow error 0.0147": what techniques of any kind can be compared by.
 std::string errorInWords(const ProbePoint& point);
 
 /// The subject's technique, set as it says.

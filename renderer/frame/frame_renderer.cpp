@@ -18,11 +18,10 @@ namespace timeshade {
 
 namespace {
 
-/// All techniques in all built-in scenes need 47 programs, at most 39 of them in one scene, and with every setting that
-/// compiles others 63 in one scene: what a sweep goes through again and again. A program that is dropped in between is
-/// compiled again in frames that are timed. More than these would only take memory, some 2 MB each on a software
-/// renderer.
-constexpr std::size_t programsKept = 64;
+/// All techniques in all built-in scenes need 74 programs, which a sweep goes through again and again, and settings
+/// compile others. A program that is dropped in between is compiled again in frames that are timed. Far more than these
+/// would only take memory, some 2 MB each on a software renderer.
+constexpr std::size_t programsKept = 128;
 
 /// By all renderers: a technique may be drawn by one after another, as when a window swaps two, and one count tells
 /// what came first. A renderer has counted once before it draws.

@@ -27,8 +27,6 @@
 namespace timeshade {
 namespace {
 
-/// The first changes go through all that is heavy: memory after them is what the rest is held to.
-constexpr int warmUp = 100;
 constexpr double allowedRestGrowth = 25.0;  // per cent
 
 double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
@@ -116,6 +114,10 @@ class Soak {
         for (const BuiltInScene& scene : caseScenes()) sceneNames_.push_back(scene.name);
         session_.renderer.setChecked(true);
     }
+
+    /// How many first changes go through all that is heavy: memory after them is what the rest is held to. Of each
+    /// technique four in each of three scenes.
+    int warmUp() const { return static_cast<int>(4 * 3 * techniqueNames_.size()); }
 
     /// The `i`th of the first changes: everything at its largest, so that what comes later can't need more unless
     /// something is lost. All techniques, each in the two files and in the case with the longest lists, before any
@@ -277,19 +279,19 @@ int run(int changes, std::uint32_t seed, double allowedGrowth) {
     Memory first;
     for (int i = 0; i < changes; ++i) {
         try {
-            i < warmUp ? soak.changeToLargest(i) : soak.change();
+            i < soak.warmUp() ? soak.changeToLargest(i) : soak.change();
         } catch (const std::exception& error) {
             fmt::print(stderr, "change {}: {}: {}\n", i, soak.now(), error.what());
             return 1;
         }
-        if (i + 1 == warmUp) first = memoryOf(soak);
+        if (i + 1 == soak.warmUp()) first = memoryOf(soak);
     }
     const Memory last = memoryOf(soak);
     const double growth = 100.0 * (static_cast<double>(last.peak) / static_cast<double>(first.peak) - 1.0);
     fmt::print(
         "{} changes: peak {:.1f} MiB after {}, {:.1f} MiB at the end ({:+.2f} %); allocated at rest {:.1f} and {:.1f} "
         "MiB\n",
-        changes, mebibytes(first.peak), warmUp, mebibytes(last.peak), growth, mebibytes(first.atRest),
+        changes, mebibytes(first.peak), soak.warmUp(), mebibytes(last.peak), growth, mebibytes(first.atRest),
         mebibytes(last.atRest));
     // Which of the programs are held, and with how many kinds of textures they have met, is chance: some megabytes.
     const double restGrowth = 100.0 * (static_cast<double>(last.atRest) / static_cast<double>(first.atRest) - 1.0);

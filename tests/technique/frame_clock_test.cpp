@@ -109,6 +109,7 @@ TEST(FrameClock, ProgramsOfAllTechniquesInAllScenesAreCompiledOnce) {
         return renderer.programs().compiled();
     };
     const std::uint64_t once = drawAll();
+    RecordProperty("programs", std::to_string(once));
     EXPECT_EQ(drawAll(), once) << "some were dropped in between";
 }
 

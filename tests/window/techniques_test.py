@@ -79,11 +79,11 @@ class Compared(WindowTest):
         alone = window.look_at_picture()
         window.choose("compare", "exact")
         window.wait_state(compare=["tsm", "exact"], compared=True)
-        dump = window.wait(lambda d: "ppm" in d["state"].get("compare.first", "")
-                           and "ppm" in d["state"].get("compare.second", ""), "both errors", 90)
+        dump = window.wait(lambda d: "error" in d["state"].get("compare.first", "")
+                           and "error" in d["state"].get("compare.second", ""), "both errors", 90)
         self.assertRegex(dump["state"]["compare.first"],
-                         r"^TSM, 2 spp, [0-9.e+]+ ms, wrong shadow samples [0-9,]+ ppm$")
-        error = [float(dump["state"][f"compare.{name}"].split("samples ")[1].split(" ppm")[0].replace(",", ""))
+                         r"^TSM, 2 spp, [0-9.e+]+ ms, shadow error [0-9.e-]+$")
+        error = [float(dump["state"][f"compare.{name}"].split("error ")[1])
                  for name in ("first", "second")]
         self.assertGreater(error[0], 1.5 * error[1], "what is wrong with tsm here")
         (width, height), (whole, _) = dump["state"]["drawn"], dump["state"]["window"]
