@@ -14,12 +14,14 @@
 float solved = 0.0;  // candidates of this sample, once for each piece of its way
 float doubt = 0.0;   // ticks, whole
 
-// Lists have no order: what is shown of them stops nowhere before their end.
-bool isAllDark(TimeUnion dark, vec2 wanted) {
+bool isCounting = true;  // once for the whole way, not again for its halves
+
+// Nothing that is still to come changes it. Lists have no order: what is shown of them stops nowhere before their end.
+bool isSettled(TimeUnion dark, vec2 wanted) {
 #if defined(VIEW_CANDIDATES) || defined(VIEW_ERROR)
     return false;
 #else
-    return dark.covered >= wanted.y - wanted.x;
+    return dark.full != 0u || dark.covered >= wanted.y - wanted.x;
 #endif
 }
 
@@ -41,7 +43,7 @@ TimeUnion withCell(TimeUnion dark, ReceiverSegment s, CellPiece p, vec2 wanted, 
     uvec4 ids = uvec4(0u);
     uint waiting = 0u;  // of those, which are still to be solved
     PieceTicks ticks = PieceTicks(p.begin, p.end, wanted.x, wanted.y);
-    while (dark.full == 0u && !isAllDark(dark, wanted)) {
+    while (!isSettled(dark, wanted)) {
         while (waiting == 0u && entry < last) {
             int texel = int(uint(entry) / CANDIDATES_TOGETHER * 2u);
             waiting = reachingOf(texelFetch(candidates, texel), box) & (all << uint(max(first - entry, 0))) &
@@ -59,7 +61,7 @@ TimeUnion withCell(TimeUnion dark, ReceiverSegment s, CellPiece p, vec2 wanted, 
         dark = withShadow(dark, m, ticks, MOTION);
 #endif
 #ifdef VIEW_ERROR
-        doubt += ceil(shadowDoubt(m, MOTION) * (p.end - p.begin));
+        if (isCounting) doubt += ceil(shadowDoubt(m, MOTION) * (p.end - p.begin));
 #endif
         waiting &= waiting - 1u;
     }
@@ -74,7 +76,7 @@ TimeUnion withLists(TimeUnion dark, ReceiverSegment s, vec2 wanted, usamplerBuff
     ivec2 cell = ivec2(floor(onMap(mapBlossom(s, begin, begin)) * float(side)));
     uint bucket = min(uint(timeOf(s, begin) * float(bucketCount)), bucketCount - 1u);
     int left = 4 * int(side) + 2 * int(bucketCount);  // no way is longer, whatever is rounded
-    while (begin < min(s.last, wanted.y) && dark.full == 0u && !isAllDark(dark, wanted) && left > 0) {
+    while (begin < min(s.last, wanted.y) && !isSettled(dark, wanted) && left > 0) {
         --left;
         float closes = (float(bucket + 1u) / float(bucketCount) - s.u0) / max(s.u1 - s.u0, 1e-12) * TICKS;
         float end = bucket + 1u < bucketCount ? clamp(floor(closes + 0.5), begin, s.last) : s.last;
@@ -137,6 +139,7 @@ float litOverSegment(ReceiverSegment s) {
     vec2 wanted = vec2(s.first, s.last);
     while (wanted.x < s.last) {
         TimeUnion dark = darkTimes(s, wanted);
+        isCounting = false;
         float width = wanted.y - wanted.x;
         if (dark.full != 0u) {
             wanted.y = wanted.x + floor(0.5 * width);
