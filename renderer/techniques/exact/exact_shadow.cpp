@@ -1,7 +1,6 @@
 #include "techniques/exact/exact_shadow.h"
 
-#include <array>
-
+#include "technique/summed_view.h"
 #include "technique/technique_entry.h"
 
 namespace timeshade {
@@ -59,18 +58,7 @@ void ExactShadow::drawView(const TechniqueFrame& frame, const std::string& name,
     const gl::Program& program =
         programs_.get({"exact view", "passes/fullscreen.vert", lookup.fragment, std::move(defines)});
     program.use(lookup.inputs);
-    program.set("share", 1.0f / static_cast<float>(frame.plan.block.strata));
-    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    const gl::Framebuffer& target = viewTarget_.bind(values);
-    const std::array<GLfloat, 4> zero{};
-    glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, zero.data());
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {
-        program.set("stratum", stratum);
-        frame.fullscreen.draw(program);
-    }
-    glDisable(GL_BLEND);
+    drawSummedView(frame, program, viewTarget_, values);
 }
 
 StoredAlongLine ExactShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {

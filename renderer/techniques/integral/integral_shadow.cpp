@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "shared/time_integral.shared.h"
+#include "technique/summed_view.h"
 #include "technique/technique_entry.h"
 
 namespace timeshade {
@@ -100,18 +101,7 @@ void IntegralShadow::drawView(const TechniqueFrame& frame, const std::string& na
     const gl::Program& program =
         programs_.get({"integral view", "passes/fullscreen.vert", lookup.fragment, std::move(defines)});
     program.use(lookup.inputs);
-    program.set("share", 1.0f / static_cast<float>(frame.plan.block.strata));
-    frame.samples.ids().bind(SAMPLE_IDS_UNIT);
-    const gl::Framebuffer& target = viewTarget_.bind(values);
-    const std::array<GLfloat, 4> zero{};
-    glClearNamedFramebufferfv(target.name(), GL_COLOR, 0, zero.data());
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {
-        program.set("stratum", stratum);
-        frame.fullscreen.draw(program);
-    }
-    glDisable(GL_BLEND);
+    drawSummedView(frame, program, viewTarget_, values);
 }
 
 StoredAlongLine IntegralShadow::storedAlong(const TechniqueFrame& frame, const MapLine& line) {

@@ -1,10 +1,9 @@
 #include "techniques/interleaved/interleaved_shadow.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "shared/sample_pattern.shared.h"
+#include "technique/layer_marks.h"
 #include "technique/technique_entry.h"
 #include "techniques/interleaved/interleaved_prediction.h"
 
@@ -166,19 +165,12 @@ StoredAlongLine InterleavedShadow::storedAlong(const TechniqueFrame& frame, cons
         "of {} in a layer",
         strata.count, pattern_ * pattern_);
     if (!depth_) return stored;
-    const MapSize size = plan.request.mapSize;
-    const std::vector<TexelOnLine> texels = texelsAlong(line, {size.width, size.height});
-    for (std::uint32_t layer = 0; layer < strata.count; ++layer) {
-        const std::vector<float> depths = valuesAlong(*depth_, static_cast<int>(layer), texels);
-        for (std::size_t i = 0; i < texels.size(); ++i) {
-            const double distance = distanceOfStored(plan, depths[i]);
-            if (!std::isfinite(distance)) continue;
-            const auto side = static_cast<std::uint32_t>(pattern_);
-            const float within = shared::phaseTime(shared::texelPhase(glm::uvec2(texels[i].texel), side), side);
-            const auto u = static_cast<double>(shared::sampleTime(plan.block.timeBase, strata.length, layer, within));
-            stored.marks.push_back({texels[i].xFrom, texels[i].xTo, u, u, distance, distance});
-        }
-    }
+    const auto side = static_cast<std::uint32_t>(pattern_);
+    const auto timeOf = [&](glm::uvec2 texel, std::uint32_t layer) {
+        const float within = shared::phaseTime(shared::texelPhase(texel, side), side);
+        return shared::sampleTime(plan.block.timeBase, strata.length, layer, within);
+    };
+    addLayerMarks(plan, *depth_, line, timeOf, stored.marks);
     return stored;
 }
 

@@ -1,11 +1,11 @@
 #include "techniques/tsm/tsm_shadow.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "shared/sample_pattern.shared.h"
+#include "technique/layer_marks.h"
 #include "technique/technique_entry.h"
 
 namespace timeshade {
@@ -213,18 +213,11 @@ StoredAlongLine TsmShadow::storedAlong(const TechniqueFrame& frame, const MapLin
     stored.note =
         fmt::format("one map of what stands still, and {} layers: a point is a texel at its own time", strata.count);
     if (!depth_) return stored;
-    const MapSize size = plan.request.mapSize;
-    const std::vector<TexelOnLine> texels = texelsAlong(line, {size.width, size.height});
-    for (std::uint32_t layer = 0; layer < strata.count; ++layer) {
-        const std::vector<float> depths = valuesAlong(*depth_, static_cast<int>(layer), texels);
-        for (std::size_t i = 0; i < texels.size(); ++i) {
-            const double distance = distanceOfStored(plan, depths[i]);
-            if (!std::isfinite(distance)) continue;
-            const float xi = shared::samplePattern(glm::uvec2(texels[i].texel), layer, plan.block.seed, SALT_LIGHT).z;
-            const auto u = static_cast<double>(shared::sampleTime(plan.block.timeBase, strata.length, layer, xi));
-            stored.marks.push_back({texels[i].xFrom, texels[i].xTo, u, u, distance, distance});
-        }
-    }
+    const auto timeOf = [&](glm::uvec2 texel, std::uint32_t layer) {
+        const float xi = shared::samplePattern(texel, layer, plan.block.seed, SALT_LIGHT).z;
+        return shared::sampleTime(plan.block.timeBase, strata.length, layer, xi);
+    };
+    addLayerMarks(plan, *depth_, line, timeOf, stored.marks);
     return stored;
 }
 
