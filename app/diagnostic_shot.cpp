@@ -1,5 +1,6 @@
 #include "diagnostic_shot.h"
 
+#include "core/error.h"
 #include "measure/diagnostic_views.h"
 #include "measure/reference.h"
 #include "progress.h"
@@ -18,6 +19,8 @@ DisplayImage drawDiagnostic(FrameRenderer& renderer, const FramePlan& plan, Tech
         renderer.draw(plan, technique, View::Final);
         return errorView(renderer.readRadiance(), reference);
     }
+    if (plan.block.positions > 0)
+        throw UsageError("--view disagreement: interval samples have no instant to be wrong at; expected --samples strata");
     DisagreementView view(width, height);
     VerificationOptions how;
     how.checkPrimaries = false;

@@ -13,7 +13,9 @@ FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
     FrameRequest request;
     request.width = options.width;
     request.height = options.height;
+    request.samples = options.samples;
     request.samplesPerPixel = options.samplesPerPixel;
+    request.timeStrata = options.timeStrata;
     request.mapSize = options.mapSize;
     request.seed = options.seed;
     request.forceDynamic = options.forceDynamic;

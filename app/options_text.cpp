@@ -106,6 +106,10 @@ std::vector<PictureWord> pictureWords(const PictureOptions& options) {
     add("technique", options.technique);
     add("size", fmt::format("{}x{}", options.width, options.height));
     if (options.samplesPerPixel != defaults.samplesPerPixel) add("spp", fmt::format("{}", options.samplesPerPixel));
+    if (options.samples == CameraSamples::Intervals) {
+        add("samples", "intervals");
+        if (options.timeStrata != defaults.timeStrata) add("time-strata", fmt::format("{}", options.timeStrata));
+    }
     if (options.mapSize != defaults.mapSize) add("map", options.mapSize.text());
     if (options.pixelCentres) add("pixel-centres", "on");
     if (options.seed != defaults.seed) add("seed", fmt::format("{}", options.seed));
@@ -147,7 +151,7 @@ std::string settingsJson(const PictureOptions& options, const std::string& windo
         const bool plain = key == "spp" || (key == "map" && options.mapSize.isSquare()) || key == "seed" ||
                            key == "frame" || key == "time" || key == "fps" || key == "shutter" ||
                            key == "shutter-width" || key == "seam" || key == "instant" || key == "force-dynamic" ||
-                           key == "no-cache" || key == "pixel-centres";
+                           key == "no-cache" || key == "pixel-centres" || key == "time-strata";
         json[key] = plain ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);

@@ -129,6 +129,10 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
         json["figures"].push_back(
             {{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}, {"warning", figure.warning}});
     json["spp"] = request.samplesPerPixel;
+    if (request.samples == CameraSamples::Intervals) {
+        json["samples"] = "intervals";
+        json["time_strata"] = request.timeStrata;
+    }
     json["size"] = {request.width, request.height};
     json["map"] = asJson(request.mapSize);
     json["seed"] = request.seed;

@@ -62,9 +62,11 @@ std::string errorsInWords(const Verification& v) {
 
 std::string asText(const Verification& v, const std::string& scene, const std::string& technique) {
     std::string text = fmt::format("{} with {}\n{}", scene, technique, errorsInWords(v));
+    if (v.intervals)
+        return text + fmt::format("  tested           {:>10} of {} parts of what positions see\n", v.tested, v.samples);
     text += fmt::format("  tested           {:>10} of {} camera samples, {} truly in shadow\n", v.tested, v.samples,
                         v.shadowed);
-    if (v.footprint.isBinary())
+    if (v.isBinary())
         text += fmt::format("  disagree         {:>10} ({:.1f} ppm): {} false shadow, {} false lit, {} marginal\n",
                             v.disagree(), v.ppm(), v.falseShadow, v.falseLit, v.marginal);
     text += fmt::format("  |lit - truth|    {:>10.6f} in the mean, at each sample's own instant and point\n",

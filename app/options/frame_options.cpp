@@ -25,6 +25,15 @@ void readSize(const std::string& text, FrameOptions& options) {
 
 void declareSampling(CLI::App& app, FrameOptions& options) {
     declareSamples(app, options.samplesPerPixel);
+    app.add_option("--samples", options.samples,
+                   "strata: each camera sample has a time of its own; intervals: --spp is the number of positions a "
+                   "pixel, and what each sees is solved for the whole shutter")
+        ->transform(oneOf<CameraSamples>({{"strata", CameraSamples::Strata}, {"intervals", CameraSamples::Intervals}}))
+        ->multi_option_policy(lastWins);
+    app.add_option("--time-strata", options.timeStrata,
+                   "of interval samples: strata of the shutter, in each of which techniques that test instants test one")
+        ->check(numberFrom(1, maximumSamplesPerPixel))
+        ->multi_option_policy(lastWins);
     app.add_option_function<std::string>(
            "--size", [&options](const std::string& text) { readSize(text, options); }, "WIDTHxHEIGHT of the picture")
         ->check(notEmpty("WIDTHxHEIGHT"))

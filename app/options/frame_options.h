@@ -15,7 +15,9 @@ namespace timeshade {
 /// One frame of a scene: its moment and shutter, its camera, and how finely it is sampled. Same for every technique.
 struct FrameOptions {
     int width = 640, height = 480;  ///< pixels
+    CameraSamples samples = CameraSamples::Strata;
     int samplesPerPixel = 8;
+    int timeStrata = 8;  ///< of interval samples
     MapSize mapSize;  ///< of the shadow map
     unsigned seed = 1;
     std::string clip;                       ///< name of one of the file's animations; empty for the first

@@ -60,7 +60,9 @@ void Session::keepPicture() {
     const FrameRequest& request = moment.request;
     options.frame.reset();
     options.seconds.reset();
+    options.samples = request.samples;
     options.samplesPerPixel = request.samplesPerPixel;
+    options.timeStrata = request.timeStrata;
     options.mapSize = request.mapSize;
     options.seed = request.seed;
     options.pixelCentres = request.pixelCentres;

@@ -78,7 +78,9 @@ PictureOptions pictureOptions(Session& session) {
     if (session.scene.recipe() != nullptr) addChanged(*session.scene.recipe(), options.settings);
     options.width = request.width;
     options.height = request.height;
+    options.samples = request.samples;
     options.samplesPerPixel = request.samplesPerPixel;
+    options.timeStrata = request.timeStrata;
     options.mapSize = request.mapSize;
     options.seed = request.seed;
     options.pixelCentres = request.pixelCentres;

@@ -47,6 +47,17 @@ std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type)
     return values;
 }
 
+/// Of what is drawn sample by sample there is no form for positions without a time.
+void requireIntervals(Technique& technique, const std::string& view) {
+    const std::string& name = technique.description().name;
+    if (technique.hasOwnLookup() || technique.renders() > 1)
+        throw Error(fmt::format("technique {} needs camera samples that have a time each; expected --samples strata",
+                                name));
+    if (!view.empty())
+        throw Error(fmt::format("view {} of {} shows camera samples that have a time each; expected --samples strata",
+                                view, name));
+}
+
 }  // namespace
 
 FrameRenderer::FrameRenderer()
@@ -54,10 +65,12 @@ FrameRenderer::FrameRenderer()
       timer_(device_.software ? gl::PassTimer::Clock::Finish : gl::PassTimer::Clock::Timestamps),
       maps_(programs_, caches_),
       samplePass_(programs_, caches_),
+      intervals_(programs_, caches_),
       shadePass_(programs_),
       displayPass_(programs_),
       heatMapPass_(programs_),
-      lookupPass_(programs_, caches_) {}
+      lookupPass_(programs_, caches_),
+      partLookup_(programs_) {}
 
 void FrameRenderer::resize(int width, int height, int strata) {
     GLint largest = 0, deepest = 0;
@@ -84,6 +97,7 @@ void FrameRenderer::resize(int width, int height, int strata) {
 void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView) {
     if (const std::optional<std::string> reason = technique.unsupported(plan))
         throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
+    if (plan.block.positions > 0) requireIntervals(technique, techniqueView);
     std::optional<TechniqueView> own;
     if (!techniqueView.empty()) own = viewOf(technique, techniqueView);
     programs_.keepNewest(programsKept);
@@ -114,7 +128,7 @@ bool FrameRenderer::step() {
     mesh_.bind();
     {
         const auto timed = timer_.scope("sample");
-        samplePass_.draw(render, mesh_, *samples_);
+        drawSamples(render);
     }
     maps_.begin(render, mesh_);
     const TechniqueFrame frame = techniqueFrame();
@@ -131,7 +145,7 @@ bool FrameRenderer::step() {
         technique_->drawView(frame, techniqueView_->name, *values_);
     } else {
         const auto timed = timer_.scope("shade");
-        shadePass_.draw(render, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
+        drawShade(render);
     }
     gl::requireNoErrors(fmt::format("a frame of {}", technique_->description().name));
     ++done_;
@@ -145,6 +159,17 @@ TechniqueFrame FrameRenderer::techniqueFrame() {
     return {*render_, mesh_, *samples_, *visibility_, fullscreen_, timer_, maps_, caches_, settings_.define()};
 }
 
+std::vector<FrameRenderer::PartValue> FrameRenderer::readParts() const {
+    CHECK(hasIntervalSamples());
+    const IntervalSamples::Read read = intervals_.read();
+    const std::vector<glm::vec2> values = readArray<glm::vec2>(partLookup_.values(), GL_RG, GL_FLOAT);
+    std::vector<PartValue> result;
+    result.reserve(read.parts.size());
+    for (std::size_t i = 0; i < read.parts.size(); ++i)
+        result.push_back({read.parts[i], values[read.places[i]].x, values[read.places[i]].y});
+    return result;
+}
+
 StoredAlongLine FrameRenderer::storedAlong(const MapLine& line) {
     CHECK_GT(done_, 0);
     uniforms_.set(*render_);
@@ -155,11 +180,26 @@ StoredAlongLine FrameRenderer::storedAlong(const MapLine& line) {
     return stored;
 }
 
+void FrameRenderer::drawSamples(const FramePlan& plan) {
+    if (plan.block.positions == 0) return samplePass_.draw(plan, mesh_, *samples_);
+    intervals_.draw(plan, mesh_, fullscreen_, *samples_, !technique_->solvesIntervals());
+}
+
+void FrameRenderer::drawShade(const FramePlan& plan) {
+    if (plan.block.positions == 0)
+        return shadePass_.draw(plan, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
+    shadePass_.draw(plan, fullscreen_,
+                    {intervals_.parts(), intervals_.heads(), partLookup_.values(), technique_->solvesIntervals()}, view_,
+                    *radiance_);
+}
+
 void FrameRenderer::drawLookup(const TechniqueFrame& frame) {
     if (technique_->hasOwnLookup()) return technique_->drawLookup(frame);
     Lookup lookup;
     lookup.program = [&](Casters casters) { return technique_->lookupProgram(frame, casters); };
     lookup.footprint = technique_->footprint();
+    if (frame.plan.block.positions > 0)
+        return partLookup_.draw(frame, lookup, intervals_, technique_->solvesIntervals());
     if (frame.plan.versions.lit != 0) lookup.key = Hash().add(settings_.key()).add(frame.plan.versions.lit).value() | 1;
     if (technique_->separatesStaticCasters()) lookup.staticIds = samplePass_.staticIds(frame.plan, *samples_);
     lookupPass_.draw(frame, lookup);
@@ -196,7 +236,10 @@ void FrameRenderer::draw(FramePlan plan, Technique& technique, View view, const 
 }
 
 void FrameRenderer::checkBuffers() const {
-    requireFinite(visibility_->lit(), "visibility", 0.0f, 1.0f);
+    if (render_->block.positions > 0)
+        requireFinite(partLookup_.values(), "visibility of parts", 0.0f, 1.0f);
+    else
+        requireFinite(visibility_->lit(), "visibility", 0.0f, 1.0f);
     requireFinite(*radiance_, "radiance", 0.0f, std::numeric_limits<float>::max());
     if (techniqueView_)
         requireFinite(*values_, "view " + techniqueView_->name, std::numeric_limits<float>::lowest(),

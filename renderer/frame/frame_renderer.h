@@ -7,6 +7,7 @@
 
 #include "core/frame_caches.h"
 #include "frame/lookup_pass.h"
+#include "frame/part_lookup.h"
 #include "frame/settings_block.h"
 #include "gl/device_info.h"
 #include "gl/pass_timer.h"
@@ -66,6 +67,15 @@ class FrameRenderer {
     const std::optional<TechniqueView>& techniqueView() const { return techniqueView_; }
     /// lit of every camera sample of the last render: [stratum][row from the bottom][column].
     std::vector<float> readVisibility() const;
+    /// Of interval samples, which the last render had (checked): what was found of each part.
+    struct PartValue {
+        SeenPart part;
+        float lit;     ///< over the times at which the receiver faces the light inside its cone; 1 where there are none
+        float tested;  ///< their share of the part
+    };
+    /// Row by row from the bottom, pixel by pixel, position by position, ascending in time.
+    std::vector<PartValue> readParts() const;
+    bool hasIntervalSamples() const { return render_ && render_->block.positions > 0; }
     /// Triangle of every camera sample of the last render, same order.
     std::vector<std::uint32_t> readSampleIds() const;
 
@@ -84,7 +94,9 @@ class FrameRenderer {
     void resize(int width, int height, int strata);
     void checkBuffers() const;
     void forgetPast(Technique& technique);
+    void drawSamples(const FramePlan& plan);
     void drawLookup(const TechniqueFrame& frame);
+    void drawShade(const FramePlan& plan);
     TechniqueFrame techniqueFrame();
     void endFrame();
     float scaleToWhole() const;
@@ -99,10 +111,12 @@ class FrameRenderer {
     Fullscreen fullscreen_;
     GpuMesh mesh_;
     SamplePass samplePass_;
+    IntervalSamples intervals_;
     ShadePass shadePass_;
     DisplayPass displayPass_;
     HeatMapPass heatMapPass_;
     LookupPass lookupPass_;
+    PartLookup partLookup_;
     std::optional<SampleBuffer> samples_;
     std::optional<VisibilityBuffer> visibility_;
     std::optional<gl::Texture> radiance_, picture_;

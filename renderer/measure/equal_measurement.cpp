@@ -168,7 +168,7 @@ class SceneMeasurement {
         row.bruteForce = subject.bruteForce;
         row.mapSize = subject.request.mapSize;
         row.shadowError = verification.shadowError->error;
-        if (verification.footprint.isBinary()) row.wrongPpm = verification.ppm();
+        if (verification.isBinary()) row.wrongPpm = verification.ppm();
         draw(subject);
         const GpuMemory memory = renderer_.memory();
         row.bytes = memory.total();

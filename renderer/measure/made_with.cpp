@@ -55,10 +55,12 @@ std::string textOf(const Shutter& shutter) {
 }
 
 std::string textOf(const FrameRequest& request) {
-    const auto& [width, height, samples, map, seed, frame, shutter, camera, forceDynamic, caches, centres, pose] =
-        request;
-    return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {}, camera {}, {}{}{}pose {}", width,
-                       height, samples, map.text(), seed, frame, textOf(shutter), camera,
+    const auto& [width, height, source, samples, timeStrata, map, seed, frame, shutter, camera, forceDynamic, caches,
+                 centres, pose] = request;
+    const std::string intervals =
+        source == CameraSamples::Intervals ? fmt::format("intervals in {} strata, ", timeStrata) : "";
+    return fmt::format("{} x {}, {}{} spp, map {}, seed {}, frame {}, shutter {}, camera {}, {}{}{}pose {}", width,
+                       height, intervals, samples, map.text(), seed, frame, textOf(shutter), camera,
                        forceDynamic ? "force dynamic, " : "", caches ? "" : "no cache, ",
                        centres ? "pixel centres, " : "", textOf(pose));
 }

@@ -50,6 +50,8 @@ int batchesOf(const ReferenceOptions& options) {
 FramePlan batchPlan(const FramePlan& plan, int batch) {
     FramePlan drawn = plan;
     drawn.request.samplesPerPixel = maximumSamplesPerPixel;
+    drawn.request.samples = CameraSamples::Strata;
+    drawn.block.positions = 0;
     drawn.block.strata = maximumSamplesPerPixel;
     drawn.block.timeScale = 1.0f / static_cast<float>(maximumSamplesPerPixel);
     // Seeds of their own, so that no image under test shares its noise with the reference.
@@ -79,7 +81,7 @@ std::vector<double> pixelWeights(const shared::FrameBlock& block) {
 
 std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options) {
     shared::FrameBlock block = plan.block;
-    block.seed = block.strata = 0;  // of the image under test
+    block.seed = block.strata = block.positions = 0;  // of the image under test
     block.mapWidth = block.pixelCentres = 0;
     block.timeScale = 0.0f;
     block.lightCone.w = 0.0f;  // the width of a map texel

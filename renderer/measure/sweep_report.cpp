@@ -48,7 +48,7 @@ std::string shadowCells(const SweepRow& row) {
     }
     const ErrorSummary& own = v.footprintError.error;
     text += own.count > 0 ? fmt::format(" | {:.5f}", own.rms) : " | -";
-    return text + (v.footprint.isBinary() ? fmt::format(" | {:.0f} ppm", v.ppm()) : " | -");
+    return text + (v.isBinary() ? fmt::format(" | {:.0f} ppm", v.ppm()) : " | -");
 }
 
 std::string reportTable(const std::vector<SweepRow>& rows, const std::string& scene) {

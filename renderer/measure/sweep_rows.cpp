@@ -63,7 +63,7 @@ double shadowErrorOf(const SweepRow& row) {
 }
 
 double wrongPpmOf(const SweepRow& row) {
-    return row.verification.footprint.isBinary() ? row.verification.ppm() : std::numeric_limits<double>::quiet_NaN();
+    return row.verification.isBinary() ? row.verification.ppm() : std::numeric_limits<double>::quiet_NaN();
 }
 
 bool haveShadowErrors(const std::vector<SweepRow>& rows) {

@@ -11,6 +11,22 @@ namespace {
 
 std::size_t pixelCount(const FramePlan& plan) { return std::size_t{plan.block.imageSize.x} * plan.block.imageSize.y; }
 
+/// Of interval samples, which have no instant to compare at: what makes a pixel's mean.
+void addParts(const FrameRenderer& renderer, const FramePlan& plan, Verification& sum, PixelMeans& pixels) {
+    const auto exposureUntil = [&](float u) {
+        return static_cast<double>(shared::shutterExposure(plan.block.response, plan.block.responseWidth, u));
+    };
+    sum.intervals = true;
+    for (const FrameRenderer::PartValue& value : renderer.readParts()) {
+        ++sum.samples;
+        if (value.tested <= 0.0f) continue;
+        ++sum.tested;
+        const double exposure = exposureUntil(value.part.end) - exposureUntil(value.part.begin);
+        pixels.add(value.part.place / plan.block.positions, static_cast<double>(value.lit),
+                   exposure * static_cast<double>(value.tested));
+    }
+}
+
 /// Walks the samples of one render, whose buffers are in the renderer.
 class RenderComparison {
   public:
@@ -110,6 +126,10 @@ FrameVerification::FrameVerification(FrameRenderer& renderer, FramePlan plan, Te
 bool FrameVerification::step() {
     if (done_ == renders()) return true;
     renderer_.step();
+    if (plan_.block.positions > 0) {
+        addParts(renderer_, plan_, sum_, pixels_);
+        return ++done_ == renders();
+    }
     const FramePlan drawn = renders() > 1 ? planAtInstant(plan_, done_, renders()) : plan_;
     const std::vector<std::uint32_t> triangles = renderer_.readSampleIds();
     RenderComparison comparison(oracle_, drawn, options_, sum_, footprintError_, pixels_);

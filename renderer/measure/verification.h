@@ -32,10 +32,15 @@ struct Verification {
         0;                           ///< differences within 1e-6 of an edge or of equal depth; not in primaryDisagree
     double meanAbsoluteError = 0.0;  ///< mean over the tested of |lit - truth at the sample's own instant and point|
 
+    /// Camera samples were intervals: `samples` counts their parts, `tested` those that face the light inside its cone
+    /// for some time, and of all the rest only the shadow error is measured.
+    bool intervals = false;
     Footprint footprint;                     ///< of the technique, with its settings as they were
     FootprintError footprintError;           ///< count 0 where it was not measured
     std::optional<ShadowError> shadowError;  ///< where a reference was given, once all renders have been compared
 
+    /// Each sample is right or wrong.
+    bool isBinary() const { return !intervals && footprint.isBinary(); }
     std::uint64_t disagree() const { return falseShadow + falseLit; }
     double ppm() const {
         return tested == 0 ? 0.0 : 1e6 * static_cast<double>(disagree()) / static_cast<double>(tested);

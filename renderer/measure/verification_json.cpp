@@ -100,7 +100,8 @@ nlohmann::ordered_json asJson(const Verification& v) {
                                 {"primary_ppm", v.primaryPpm()},
                                 {"resolved_exactly", v.resolvedExactly},
                                 {"corrected", v.corrected}};
-    if (v.footprint.isBinary()) json["ppm"] = v.ppm();
+    if (v.isBinary()) json["ppm"] = v.ppm();
+    if (v.intervals) json["intervals"] = true;
     appendErrors(v, json);
     return json;
 }
@@ -120,6 +121,7 @@ Verification verificationOf(const nlohmann::ordered_json& json) {
     // Journals of earlier versions have other names for these, and no errors.
     v.resolvedExactly = json.contains("ruled") ? json.at("ruled") : json.at("resolved_exactly");
     v.corrected = json.contains("overruled") ? json.at("overruled") : json.at("corrected");
+    v.intervals = json.value("intervals", false);
     readErrors(json, v);
     return v;
 }

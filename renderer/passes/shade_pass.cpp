@@ -25,4 +25,23 @@ void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const 
     glDisable(GL_BLEND);
 }
 
+void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const Parts& parts, View view,
+                     const gl::Texture& radiance) {
+    gl::ShaderDefines defines{{"INTERVAL_SAMPLES", "1"}};
+    if (plan.camera.turns) defines.emplace_back("CAMERA_TURNS", "1");
+    if (view == View::Visibility) defines.emplace_back("VIEW_VISIBILITY", "1");
+    if (parts.solved) defines.emplace_back("SOLVES_INTERVALS", "1");
+    const gl::Program& program =
+        programs_.get({"shade intervals", "passes/fullscreen.vert", "passes/shade.frag", defines});
+    gl::Inputs inputs;
+    inputs.texture("seenParts", parts.parts)
+        .texture("partsOfPositions", parts.heads)
+        .texture("visibilityOfParts", parts.values);
+    program.use(inputs);
+    target_.attach(GL_COLOR_ATTACHMENT0, radiance);
+    target_.setColorCount(1);
+    target_.bindForDrawing(radiance.width(), radiance.height());
+    fullscreen.draw(program);
+}
+
 }  // namespace timeshade

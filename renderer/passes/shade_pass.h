@@ -28,6 +28,17 @@ class ShadePass {
     void draw(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
               const VisibilityBuffer& visibility, View view, bool add, const gl::Texture& radiance);
 
+    /// What interval samples are shaded from: IntervalSamples' parts and PartLookup's values.
+    struct Parts {
+        const gl::Texture& parts;
+        const gl::Texture& heads;
+        const gl::Texture& values;
+        bool solved;  ///< values are means over a part, which is shaded at its middle; else each is of one time
+    };
+    /// The same of interval samples: parts count by their exposure, exactly.
+    void draw(const FramePlan& plan, const Fullscreen& fullscreen, const Parts& parts, View view,
+              const gl::Texture& radiance);
+
   private:
     gl::ProgramCache& programs_;
     gl::Framebuffer target_;

@@ -212,6 +212,16 @@ void fillResponse(shared::FrameBlock& block, const Shutter& shutter, bool someth
     block.responseWidth = block.response == SHUTTER_GAUSSIAN ? static_cast<float>(shutter.width) : 0.0f;
 }
 
+/// Where nothing moves all instants are alike: one sample a position is all that there is to see of it.
+void fillSamples(shared::FrameBlock& block, const FrameRequest& request, bool somethingMoves) {
+    const bool intervals = request.samples == CameraSamples::Intervals && somethingMoves;
+    const int strata = intervals ? request.timeStrata : request.samplesPerPixel;
+    block.positions = intervals ? static_cast<std::uint32_t>(request.samplesPerPixel) : 0;
+    block.timeBase = 0.0f;
+    block.timeScale = 1.0f / static_cast<float>(strata);
+    block.strata = static_cast<std::uint32_t>(strata);
+}
+
 MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
     MotionSummary motion = plan.motion;
     countInstances(plan, motion);
@@ -231,6 +241,8 @@ void checkRequest(const FrameRequest& request) {
     }
     CHECK_GE(request.samplesPerPixel, 1);
     CHECK_LE(request.samplesPerPixel, maximumSamplesPerPixel);
+    CHECK_GE(request.timeStrata, 1);
+    CHECK_LE(request.timeStrata, maximumSamplesPerPixel);
     CHECK_GE(request.mapSize.shorterSide(), 1);
     CHECK_LE(request.mapSize.longerSide(), maximumMapSide);
     CHECK_GT(request.shutter.framesPerSecond, 0.0);
@@ -319,15 +331,14 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
                                                                : planSpotMap(plan, scene_.bounds().diagonal());
 
     fillLight(plan.block, plan, exposure_);
-    plan.block.timeBase = 0.0f;
-    plan.block.timeScale = 1.0f / static_cast<float>(request.samplesPerPixel);
-    plan.block.strata = static_cast<std::uint32_t>(request.samplesPerPixel);
+    const bool somethingMoves = movingTriangles_ > 0 || lightMoves(plan) || cameraMoves(plan);
+    fillSamples(plan.block, request, somethingMoves);
     plan.block.seed = request.seed;
     plan.block.imageSize = {request.width, request.height};
     plan.block.mapWidth = static_cast<std::uint32_t>(request.mapSize.width);
     plan.block.weight = 1.0f;
     plan.block.pixelCentres = request.pixelCentres ? 1u : 0u;
-    fillResponse(plan.block, request.shutter, movingTriangles_ > 0 || lightMoves(plan) || cameraMoves(plan));
+    fillResponse(plan.block, request.shutter, somethingMoves);
 
     decideMotion(plan);
 

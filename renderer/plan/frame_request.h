@@ -9,11 +9,20 @@
 
 namespace timeshade {
 
+/// Where the camera samples of a frame come from.
+enum class CameraSamples {
+    Strata,    ///< each has one time, in its own stratum of the shutter
+    Intervals  ///< none has a time: each is a position, and what it sees when is solved for (docs/numerics.md)
+};
+
 /// Everything about a frame that does not depend on the technique. Equal requests for one scene give equal frames.
 struct FrameRequest {
     int width = 640;  ///< pixels, 1 .. 16384
     int height = 480;
-    int samplesPerPixel = 8;  ///< 1 .. 32, one per stratum of the shutter
+    CameraSamples samples = CameraSamples::Strata;
+    int samplesPerPixel = 8;  ///< 1 .. 32, one per stratum of the shutter; of interval samples the positions
+    /// 1 .. 32, of interval samples: strata of the shutter, in each of which a technique that tests instants tests one.
+    int timeStrata = 8;
     MapSize mapSize;
     std::uint32_t seed = 1;
     double frame = 0.0;  ///< number of the frame; whole numbers unless scrubbing

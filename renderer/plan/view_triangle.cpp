@@ -29,6 +29,18 @@ shared::SweptBounds boundsOf(const ViewPlan& view, const ViewTriangle& t) {
                                           view.block.nearDistance);
 }
 
+shared::SweptBounds boundsOf(const ViewPlan& view, const ViewTriangle& t, float u0, float u1) {
+    ViewTriangle part = t;
+    for (int i = 0; i < 3; ++i) {
+        part.open[i] = glm::mix(t.open[i], t.close[i], u0);
+        part.close[i] = glm::mix(t.open[i], t.close[i], u1);
+    }
+    if (!view.turns) return boundsOf(view, part);
+    const auto raysAt = [&](float u) { return view.block.raysOpen * (1.0f - u) + view.block.raysClose * u; };
+    return shared::sweptBoundsTurning(part.open[0], part.open[1], part.open[2], part.close[0], part.close[1],
+                                      part.close[2], raysAt(u0), raysAt(u1));
+}
+
 bool meetsImage(const shared::SweptBounds& bounds) {
     const float slack = 1e-3f;  // share of the image
     return bounds.low.x <= 1.0f + slack && bounds.low.y <= 1.0f + slack && bounds.high.x >= -slack &&

@@ -25,6 +25,9 @@ ViewTriangle viewTriangle(const shared::ViewBlock& block, const std::vector<glm:
 /// Bounds, in image coordinates in [0, 1], of where the triangle may be during the shutter.
 shared::SweptBounds boundsOf(const ViewPlan& view, const ViewTriangle& triangle);
 
+/// The same between two times of the shutter.
+shared::SweptBounds boundsOf(const ViewPlan& view, const ViewTriangle& triangle, float u0, float u1);
+
 /// Whether the bounds overlap the image, with a slack much larger than the rounding of a projection.
 bool meetsImage(const shared::SweptBounds& bounds);
 

@@ -67,6 +67,9 @@ class Technique : public HasSettings {
 
     /// Draws whatever the lookup needs. Timed as "build".
     virtual void build(const TechniqueFrame& frame) = 0;
+    /// True: its lookup program also says litAlong, and of interval samples each part is solved as it is. False: it
+    /// tests what it tests, at one random time in each stratum of a part.
+    virtual bool solvesIntervals() const { return false; }
     /// How lit follows from what build left, by those casters. With its settings as they are.
     virtual LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) = 0;
     /// True: it draws its lookup itself, and lookupProgram is never called. For what no single program per stratum can

@@ -9,8 +9,21 @@
 //         shutterExposure(.., b) - shutterExposure(.., a). Where u0 = u1 it is litOf there.
 // for a receiver that faces the light and lies inside its cone, and includes lib/lookup_main.glsl last.
 //
+// A technique that solves intervals (Technique::solvesIntervals) also defines
+//     vec2 litAlong(MovingTriangle t, uint id, vec2 position, float u0, float u1)
+//         the same for what the ray of an image position sees of the triangle, all through [u0, u1]. x: the mean over
+//         the times at which the receiver faces the light inside its cone; y: their share of the exposure.
+//
+// INTERVAL_SAMPLES: values are those of parts (lib/seen_parts.glsl). SOLVES_INTERVALS: of all of a part.
 // STATIC_CASTERS_ONLY: dynamic casters are left out.
 #include "lib/light_map.glsl"
 #include "lib/settings.glsl"
 
+#ifdef INTERVAL_SAMPLES
+#include "lib/seen_parts.glsl"
+uint stratum;  // of the part
+uvec2 samplePixel;
+#else
 uniform uint stratum;
+#define samplePixel uvec2(gl_FragCoord.xy)
+#endif

@@ -6,7 +6,12 @@
 //
 // CACHE_STATIC: also writes the cell of the shadow map that each sample is in: x and y, and the distances to the last
 // cell, so that the minimum over all samples bounds a pixel's cells.
+#ifdef INTERVAL_SAMPLES
+uniform uint partCount;
+layout(location = 0) out vec2 outputLit;  // over the times at which the receiver is tested, and their share
+#else
 layout(location = 0) out float outputLit;
+#endif
 #ifdef CACHE_STATIC
 layout(location = 1) out vec4 outputCells;
 
@@ -27,6 +32,26 @@ float litOfSample(MovingTriangle t, Receiver r) {
 #endif
 }
 
+#ifdef INTERVAL_SAMPLES
+void main() {
+    uint number = uint(gl_FragCoord.y) * SEEN_PARTS_IN_ROW + uint(gl_FragCoord.x);
+    outputLit = vec2(1.0, 0.0);
+    if (number >= partCount) return;
+    if (isBetweenChunks(number)) return;
+    SeenPart part = seenPart(number);
+    if (part.triangle == NO_TRIANGLE) return;
+    MovingTriangle t = fetchTriangle(part.triangle);
+#ifdef SOLVES_INTERVALS
+    outputLit = litAlong(t, part.triangle, part.place, part.begin, part.end);
+#else
+    stratum = min(uint(part.time / frame.timeScale), frame.strata - 1u);
+    samplePixel = part.pixel;
+    Receiver r = receiverOnRay(t, part.triangle, part.place, part.time);
+    if (!facesLight(r)) return;
+    outputLit = vec2(litOfSample(t, r), 1.0);
+#endif
+}
+#else
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
@@ -44,3 +69,4 @@ void main() {
     outputCells = cellsOf(r);
 #endif
 }
+#endif

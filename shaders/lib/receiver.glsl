@@ -48,12 +48,9 @@ vec3 cameraRayAt(vec2 position, float u) {
                (cameraView.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
 }
 
-// Where the camera ray of the sample meets the triangle's plane at the sample's time. The same arithmetic as the sample
+// Where the camera ray through an image position meets the triangle's plane at time u. The same arithmetic as the sample
 // pass.
-Receiver receiverOf(MovingTriangle t, uint id, uvec2 pixel, uint stratum) {
-    vec3 pattern = cameraSample(pixel, stratum, frame.seed, frame.pixelCentres);
-    float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
-    vec2 position = (vec2(pixel) + pattern.xy) / cameraView.size;
+Receiver receiverOnRay(MovingTriangle t, uint id, vec2 position, float u) {
     vec3 v0 = inCameraAt(t.open0, t.close0, u);
     vec3 v1 = inCameraAt(t.open1, t.close1, u);
     vec3 v2 = inCameraAt(t.open2, t.close2, u);
@@ -64,9 +61,23 @@ Receiver receiverOf(MovingTriangle t, uint id, uvec2 pixel, uint stratum) {
     vec3 e = edgeFunctions(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z);
 #endif
     float sum = e.x + e.y + e.z;
+#ifdef INTERVAL_SAMPLES
+    // At the end of what is seen of a triangle the ray meets its edge, up to rounding.
+    e = sum < 0.0 ? min(e, vec3(0.0)) : max(e, vec3(0.0));
+    float inside = e.x + e.y + e.z;
+    Receiver r = pointAt(t, id, inside != 0.0 ? e / inside : vec3(1.0 / 3.0), u);
+#else
     Receiver r = pointAt(t, id, e / sum, u);
+#endif
     if (sum < 0.0) r.geometricNormal = -r.geometricNormal;  // only two-sided triangles are seen from behind
     return r;
+}
+
+// Of a camera sample, at its own time.
+Receiver receiverOf(MovingTriangle t, uint id, uvec2 pixel, uint stratum) {
+    vec3 pattern = cameraSample(pixel, stratum, frame.seed, frame.pixelCentres);
+    float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
+    return receiverOnRay(t, id, (vec2(pixel) + pattern.xy) / cameraView.size, u);
 }
 
 // The way light travels at time u, or a spot's axis, as FrameBlock has them. Of a light that does not turn: the very

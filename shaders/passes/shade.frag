@@ -1,14 +1,23 @@
 // Mean over a pixel's camera samples of shading times lit: the only place where light becomes colour.
 //
 // VIEW_VISIBILITY: mean of lit alone.
+// INTERVAL_SAMPLES: camera samples are positions, and of each its parts count by their exposure.
 // SHUTTER_WEIGHTS: each sample counts by the shutter's response at its time; else all alike.
 #include "lib/receiver.glsl"
-#ifdef SHUTTER_WEIGHTS
+#ifdef INTERVAL_SAMPLES
+#include "lib/seen_parts.glsl"
+#endif
+#if defined(SHUTTER_WEIGHTS) || defined(INTERVAL_SAMPLES)
 #include "shared/shutter_response.shared.h"
 #endif
 
 layout(binding = TRIANGLE_SHADING_UNIT) uniform samplerBuffer triangleShading;
+#ifdef INTERVAL_SAMPLES
+uniform usampler2DArray partsOfPositions;  // first and count
+uniform sampler2D visibilityOfParts;
+#else
 layout(binding = VISIBILITY_UNIT) uniform sampler2DArray visibility;
+#endif
 layout(binding = MATERIALS_UNIT) uniform samplerBuffer materials;
 layout(binding = COLOR_IMAGES_UNIT) uniform sampler2DArray colorImages;
 layout(binding = DATA_IMAGES_UNIT) uniform sampler2DArray dataImages;
@@ -94,6 +103,41 @@ vec3 shade(Receiver r, uint material, float lit) {
     return radiance;
 }
 
+#ifdef INTERVAL_SAMPLES
+vec3 colourOf(uint number, SeenPart part) {
+    ivec2 at = ivec2(number % SEEN_PARTS_IN_ROW, number / SEEN_PARTS_IN_ROW);
+    vec2 value = texelFetch(visibilityOfParts, at, 0).xy;
+#ifdef VIEW_VISIBILITY
+    return vec3(part.triangle == NO_TRIANGLE ? 1.0 : value.x * value.y);
+#else
+    if (part.triangle == NO_TRIANGLE) return frame.background.rgb;
+    MovingTriangle t = fetchTriangle(part.triangle);
+    return shade(receiverOnRay(t, part.triangle, part.place, part.time), t.material, value.x * value.y);
+#endif
+}
+
+float exposureUntil(float u) { return shutterExposure(frame.response, frame.responseWidth, u); }
+
+void main() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    vec3 sum = vec3(0.0);
+    for (uint position = 0u; position < frame.positions; ++position) {
+        uvec2 parts = texelFetch(partsOfPositions, ivec3(pixel, position), 0).xy;
+        uint number = parts.x, end = parts.x + (parts.y & ~SEEN_PARTS_GO_ON);
+        while (number < end) {
+            SeenPart part = seenPart(number);
+            sum += (exposureUntil(part.end) - exposureUntil(part.begin)) * colourOf(number, part);
+            ++number;
+            if (number == end && (parts.y & SEEN_PARTS_GO_ON) != 0u) {
+                parts = texelFetch(seenParts, int(number)).yz;
+                number = parts.x;
+                end = parts.x + (parts.y & ~SEEN_PARTS_GO_ON);
+            }
+        }
+    }
+    outputRadiance = vec4(sum / (exposureUntil(1.0) * float(frame.positions)), 1.0) * frame.weight;
+}
+#else
 vec3 colourOf(uvec2 pixel, uint stratum) {
     float lit = texelFetch(visibility, ivec3(pixel, stratum), 0).x;
 #ifdef VIEW_VISIBILITY
@@ -124,3 +168,4 @@ void main() {
     outputRadiance = vec4(sum / float(frame.strata), 1.0) * frame.weight;
 #endif
 }
+#endif

@@ -16,6 +16,14 @@
 #define LIST_BLOCKS_BINDING 2
 #define TECHNIQUE_STORAGE_BINDING 3
 
+// Of the pass that solves what positions see, before any technique.
+#define SEEN_PARTS_BINDING 0
+#define SEEN_COUNTS_BINDING 1
+#define SEEN_STATES_BINDING 2
+
+#define SEEN_PARTS_IN_ROW 2048u     // values of parts lie in rows of a texture
+#define SEEN_NO_PLACE 0xffffffffu   // of a record between chunks of parts
+#define SEEN_PARTS_GO_ON 0x80000000u
 #define LIST_SCAN_BLOCK 1024  // cells that one work group of the scan sees
 
 // Texture units of the frame. Samplers that name none get those from gl::firstFreeUnit on, by their names.
@@ -56,7 +64,7 @@ struct FrameBlock {
     vec4 background;     // rgb: what a camera sample that hits nothing sees, exposed
     float timeBase;      // u of the first stratum's start
     float timeScale;     // length of a stratum in u
-    uint strata;         // camera samples per pixel
+    uint strata;         // of the shutter: camera samples per pixel, unless those are positions
     uint seed;
     uvec2 imageSize;
     uint mapWidth;        // texels in a row of the shadow map
@@ -64,7 +72,7 @@ struct FrameBlock {
     uint pixelCentres;    // 1: camera samples lie at pixel centres
     uint response;        // of the shutter, as in shutter_response.shared.h; SHUTTER_BOX where nothing moves
     float responseWidth;  // standard deviation of SHUTTER_GAUSSIAN in u; else 0
-    uint padding0;
+    uint positions;       // interval samples: per pixel; 0: camera samples have a time each
 };
 
 /// How vertices become what a rasteriser with a sample in space and time needs: view coordinates (X, Y, Z) that are

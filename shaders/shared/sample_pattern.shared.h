@@ -7,6 +7,7 @@ SHARED_BEGIN
 
 #define SALT_CAMERA 0x00000000u  // which view a pattern is drawn for: no two share their random numbers
 #define SALT_LIGHT 0x9e3779b9u
+#define SALT_INTERVALS 0x3c6ef372u
 
 /// x, y: position inside the pixel, in [0, 1). z: position inside the stratum of time, in [0, 1).
 /// x, y: per pixel a random shift (Cranley and Patterson 1976), over k an additive recurrence, the plane's R2 sequence

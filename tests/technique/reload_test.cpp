@@ -2,61 +2,23 @@
 // the new ones, for every technique, with everything static and caches filled.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "frame/frame_renderer.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
+#include "support/shader_copy.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Edit {
-    std::string file, from, to;
-};
-
-/// A copy of the shaders that the program reads instead of the real ones.
-class ShaderCopy {
-  public:
-    ShaderCopy()
-        : original_(gl::shaderDirectory()),
-          folder_(fs::temp_directory_path() / ("timeshade-reload-" + std::to_string(::getpid()))) {
-        fs::copy(original_, folder_, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
-        ::setenv("TIMESHADE_SHADERS", folder_.c_str(), 1);
-    }
-    ~ShaderCopy() {
-        ::setenv("TIMESHADE_SHADERS", original_.c_str(), 1);
-        fs::remove_all(folder_);
-    }
-    void apply(const Edit& edit) const {
-        std::stringstream text;
-        text << std::ifstream(folder_ / edit.file).rdbuf();
-        std::string changed = text.str();
-        const std::size_t at = changed.find(edit.from);
-        ASSERT_NE(at, std::string::npos) << edit.file << " holds no \"" << edit.from << '"';
-        changed.replace(at, edit.from.size(), edit.to);
-        std::ofstream(folder_ / edit.file) << changed;
-    }
-
-  private:
-    fs::path original_, folder_;
-};
-
 /// Every lookup asks lib/receiver.glsl whether the receiver faces the light.
-const std::vector<Edit> changedLookup{
+const std::vector<ShaderEdit> changedLookup{
     {"lib/receiver.glsl", "return inCone && ", "return inCone && gl_FragCoord.x > 30.0 && "}};
 /// What builds share: the ordinary map, the stochastic rasteriser's samples of the light, and the lists of candidates.
-const std::vector<Edit> changedBuild{
+const std::vector<ShaderEdit> changedBuild{
     {"passes/shadow_map.vert", "positionOpen, 1.0)", "positionOpen * 0.8, 1.0)"},
     {"passes/stochastic.frag", "pattern.xy = vec2(0.5);", "pattern.xy = vec2(0.5, 12.0);"},
     {"lib/candidate_cells.glsl", "void addToCell(SweptCaster c, ivec2 cell) {",
@@ -86,12 +48,12 @@ class Reload : public testing::TestWithParam<std::string> {
         return renderer.readVisibility();
     }
 
-    void expectLikeAColdStart(const std::vector<Edit>& edits) {
+    void expectLikeAColdStart(const std::vector<ShaderEdit>& edits) {
         const ShaderCopy shaders;
         FrameRenderer warm;
         const std::unique_ptr<Technique> technique = make(warm);
         const std::vector<float> before = draw(warm, *technique);
-        for (const Edit& edit : edits) shaders.apply(edit);
+        for (const ShaderEdit& edit : edits) shaders.apply(edit);
         EXPECT_TRUE(warm.reloadShaders().empty());
         const std::vector<float> after = draw(warm, *technique);
         FrameRenderer cold;

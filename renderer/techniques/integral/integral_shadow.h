@@ -29,6 +29,7 @@ class IntegralShadow final : public Technique {
     SamplingTraits samplingTraits() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     void build(const TechniqueFrame& frame) override { lists_.build(frame); }
+    bool solvesIntervals() const override { return true; }
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
     /// A union of casters is no product: what static ones do says nothing about all.
     bool separatesStaticCasters() const override { return false; }

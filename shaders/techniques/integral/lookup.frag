@@ -132,9 +132,10 @@ float exposureOf(ReceiverSegment s, TimeUnion u, float from, float to) {
     return sum;
 }
 
-// The mean over the times at which the receiver is tested. Where the union is full the interval is halved and the
-// candidates are read again: nothing is merged, and no order matters.
-float litOverSegment(ReceiverSegment s) {
+// The exposure during which the receiver sees the light (x), and that during which it is tested (y), as shares of the
+// segment's. Where the union is full the interval is halved and the candidates are read again: nothing is merged, and
+// no order matters.
+vec2 exposuresOver(ReceiverSegment s) {
     float lit = 0.0;
     vec2 wanted = vec2(s.first, s.last);
     while (wanted.x < s.last) {
@@ -153,10 +154,34 @@ float litOverSegment(ReceiverSegment s) {
     float until = min(wanted.x, s.last);
     doubt += s.last - until;
     float tested = exposureUntil(s, until) - exposureUntil(s, s.first) - exposureOf(s, s.untested, s.first, until);
-    return tested > 0.0 ? lit / tested : 1.0;
+    return vec2(lit, tested) / TICKS;
 }
 
-float litOver(MovingTriangle t, Receiver r, float u0, float u1) { return litOverSegment(segmentOn(t, r, u0, u1)); }
+float litOver(MovingTriangle t, Receiver r, float u0, float u1) {
+    vec2 exposures = exposuresOver(segmentOn(t, r, u0, u1));
+    return exposures.y > 0.0 ? exposures.x / exposures.y : 1.0;
+}
+
+#ifdef SOLVES_INTERVALS
+float exposureUntil(float u) {
+    return frame.response == SHUTTER_BOX ? u : shutterExposure(frame.response, frame.responseWidth, u);
+}
+
+vec2 litAlong(MovingTriangle t, uint id, vec2 position, float u0, float u1) {
+    Receiver open = receiverOnRay(t, id, position, u0), last = receiverOnRay(t, id, position, u1);
+    int chords = chordsOf(t, open, last, position);
+    float whole = exposureUntil(u1) - exposureUntil(u0);
+    vec2 sum = vec2(0.0);
+    for (int i = 1; i <= chords; ++i) {
+        Receiver close = last;
+        ONLY_IF(i < chords) close = receiverOnRay(t, id, position, mix(u0, u1, float(i) / float(chords)));
+        float weight = (exposureUntil(close.time) - exposureUntil(open.time)) / whole;
+        sum += weight * exposuresOver(segmentAlong(t, open, close));
+        open = close;
+    }
+    return sum.y > 0.0 ? vec2(clamp(sum.x / sum.y, 0.0, 1.0), min(sum.y, 1.0)) : vec2(1.0, 0.0);
+}
+#endif
 
 #if defined(VIEW_CANDIDATES) || defined(VIEW_ERROR)
 uniform float share;  // of a sample in its pixel

@@ -81,16 +81,23 @@ float borderOfCone(ReceiverSegment s, float outside, float inside) {
     return outside;
 }
 
-// The receiver of a camera sample, which is inside the cone and faces the light, followed on its triangle.
-ReceiverSegment segmentOn(MovingTriangle t, Receiver r, float u0, float u1) {
+// A time at which the receiver may be inside the cone though it is outside at both ends: where (axis . l)^2 - cos^2 l^2
+// is greatest, for the axis in the middle.
+float deepestInCone(ReceiverSegment s) {
+    vec3 axis = lightDirectionAt(0.5 * (s.u0 + s.u1)), step = s.toClose - s.toOpen;
+    float cosine2 = frame.lightCone.x * frame.lightCone.x;
+    float a = dot(axis, step) * dot(axis, step) - cosine2 * dot(step, step);
+    float b = dot(axis, s.toOpen) * dot(axis, step) - cosine2 * dot(s.toOpen, step);
+    return a < 0.0 ? clamp(floor(-b / a * TICKS), 0.0, TICKS) : floor(0.5 * TICKS);
+}
+
+// The segment between two places of a receiver, straight and even; when it is inside the cone is found from `seen`, a
+// tick at which it may be.
+ReceiverSegment segmentBetween(PointOnTriangle p, float u0, float u1) {
     ReceiverSegment s;
-    PointOnTriangle p;
-    p.triangle = t;
-    p.open = pointAt(t, r.triangle, r.barycentrics, u0);
-    p.close = pointAt(t, r.triangle, r.barycentrics, u1);
     p.eyeOpen = mix(frame.cameraPositionOpen.xyz, frame.cameraPositionClose.xyz, u0);
     p.eyeClose = mix(frame.cameraPositionOpen.xyz, frame.cameraPositionClose.xyz, u1);
-    s.triangle = r.triangle;
+    s.triangle = p.open.triangle;
     s.u0 = u0;
     s.u1 = u1;
     s.open = p.open.position;
@@ -108,11 +115,73 @@ ReceiverSegment segmentOn(MovingTriangle t, Receiver r, float u0, float u1) {
 #endif
     s.first = 0.0;
     s.last = TICKS;
-#ifndef LIGHT_ORTHOGRAPHIC
-    float seen = u1 > u0 ? clamp(floor((r.time - u0) / (u1 - u0) * TICKS), 0.0, TICKS) : 0.0;
-    s.first = borderOfCone(s, 0.0, seen);
-    s.last = borderOfCone(s, TICKS, seen);
-#endif
     s.untested = facingAway(p);
     return s;
 }
+
+// Leaves of the segment what is inside the cone; `seen` is a tick at which it is.
+ReceiverSegment insideCone(ReceiverSegment s, float seen) {
+    s.first = borderOfCone(s, 0.0, seen);
+    s.last = borderOfCone(s, TICKS, seen);
+    return s;
+}
+
+// The receiver of a camera sample, which is inside the cone and faces the light, followed on its triangle.
+ReceiverSegment segmentOn(MovingTriangle t, Receiver r, float u0, float u1) {
+    PointOnTriangle p;
+    p.triangle = t;
+    p.open = pointAt(t, r.triangle, r.barycentrics, u0);
+    p.close = pointAt(t, r.triangle, r.barycentrics, u1);
+    ReceiverSegment s = segmentBetween(p, u0, u1);
+#ifndef LIGHT_ORTHOGRAPHIC
+    float seen = u1 > u0 ? clamp(floor((r.time - u0) / (u1 - u0) * TICKS), 0.0, TICKS) : 0.0;
+    s = insideCone(s, seen);
+#endif
+    return s;
+}
+
+#ifdef SOLVES_INTERVALS
+const float chordsOfPixel = 256.0;  // a chord may leave the path by so small a part of a pixel
+const int mostChords = 64;
+
+// What the ray of an image position sees of a triangle: the chord between two times.
+ReceiverSegment segmentAlong(MovingTriangle t, Receiver open, Receiver close) {
+    PointOnTriangle p;
+    p.triangle = t;
+    p.open = open;
+    p.close = close;
+    ReceiverSegment s = segmentBetween(p, open.time, close.time);
+#ifndef LIGHT_ORTHOGRAPHIC
+    float seen = isInCone(s, 0.0) ? 0.0 : isInCone(s, TICKS) ? TICKS : deepestInCone(s);
+    if (isInCone(s, seen))
+        s = insideCone(s, seen);
+    else
+        s.last = s.first;
+#endif
+    return s;
+}
+
+// Width of a pixel at a place, in world units.
+float pixelWidthAt(vec3 place, float u) {
+    vec3 view = inCameraAt(place, place, u);
+    mat4 m = cameraView.viewFromWorldOpen;
+    vec3 change = vec3(m[0].x, m[1].x, m[2].x) - view.x / view.z * vec3(m[0].z, m[1].z, m[2].z);
+    return abs(view.z) / (length(change) * cameraView.size.x);
+}
+
+float leavesChord(MovingTriangle t, Receiver open, Receiver close, vec2 position, float share) {
+    Receiver r = receiverOnRay(t, open.triangle, position, mix(open.time, close.time, share));
+    return length(r.position - mix(open.position, close.position, share));
+}
+
+// Into how many chords the way is cut: what a chord leaves the path by falls with the square of their number.
+int chordsOf(MovingTriangle t, Receiver open, Receiver close, vec2 position) {
+    float away = 0.0;
+    ONLY_IF(open.position != close.position) {
+        away = max(max(leavesChord(t, open, close, position, 0.25), leavesChord(t, open, close, position, 0.5)),
+                   leavesChord(t, open, close, position, 0.75));
+    }
+    float allowed = pixelWidthAt(close.position, close.time) / chordsOfPixel;
+    return clamp(int(ceil(sqrt(away / allowed))), 1, mostChords);
+}
+#endif

@@ -25,7 +25,7 @@ ivec2 tileOf(vec2 position, uint salt) {
     // From a third of the way to the border on, up to one in two at the border.
     vec2 outwards = (position - tileCentre(tile)) / (0.5 * float(TILE));
     vec2 chance = 0.5 * clamp((abs(outwards) - 1.0 / 3.0) / (2.0 / 3.0), 0.0, 1.0);
-    uvec3 random = hashWords(uvec3(uint(gl_FragCoord.x), uint(gl_FragCoord.y), hashWord(frame.seed ^ salt)));
+    uvec3 random = hashWords(uvec3(samplePixel, hashWord(frame.seed ^ salt)));
     tile += ivec2(lessThan(vec2(unitInterval(random.x), unitInterval(random.y)), chance)) * ivec2(sign(outwards));
     tile = clamp(tile, ivec2(0), last);
 #endif

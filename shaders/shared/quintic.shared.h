@@ -1,0 +1,153 @@
+#ifdef __cplusplus
+#pragma once
+#endif
+#include "shared/cubic.shared.h"
+
+// So many are looked at: five changes take less. Only rounding makes more, where next to nothing is left of a difference.
+#define QUINTIC_PIECES 400
+
+SHARED_BEGIN
+
+/// A polynomial of degree 5 by its Bernstein coefficients over [0, 1]: b0, b1, b2 in `low`, b3, b4, b5 in `high`.
+struct Quintic {
+    vec3 low, high;
+};
+
+/// Of a cubic times a quadratic, by their Bernstein coefficients. Error: some 2^-22 of the products' sizes.
+SHARED_FUNCTION Quintic quinticProduct(vec4 p, vec3 q) {
+    const float tenth = SHARED_FLOAT(0.1), fifth = SHARED_FLOAT(0.2);
+    SHARED_PRECISE float b0 = p.x * q.x;
+    SHARED_PRECISE float b1 = fifth * (SHARED_FLOAT(2.0) * p.x * q.y + SHARED_FLOAT(3.0) * p.y * q.x);
+    SHARED_PRECISE float b2 =
+        tenth * (p.x * q.z + SHARED_FLOAT(6.0) * p.y * q.y + SHARED_FLOAT(3.0) * p.z * q.x);
+    SHARED_PRECISE float b3 =
+        tenth * (SHARED_FLOAT(3.0) * p.y * q.z + SHARED_FLOAT(6.0) * p.z * q.y + p.w * q.x);
+    SHARED_PRECISE float b4 = fifth * (SHARED_FLOAT(3.0) * p.z * q.z + SHARED_FLOAT(2.0) * p.w * q.y);
+    SHARED_PRECISE float b5 = p.w * q.z;
+    return Quintic(vec3(b0, b1, b2), vec3(b3, b4, b5));
+}
+
+SHARED_FUNCTION Quintic quinticDifference(Quintic a, Quintic b) { return Quintic(a.low - b.low, a.high - b.high); }
+
+/// One of de Casteljau's steps: each coefficient but the last moves towards the next.
+SHARED_FUNCTION Quintic stepTowardsNext(Quintic p, float t) {
+    return Quintic(mix(p.low, vec3(p.low.y, p.low.z, p.high.x), t),
+                   vec3(mix(p.high.x, p.high.y, t), mix(p.high.y, p.high.z, t), p.high.z));
+}
+
+SHARED_FUNCTION float quinticAt(Quintic p, float t) {
+    vec3 a = mix(p.low, vec3(p.low.y, p.low.z, p.high.x), t);
+    float a3 = mix(p.high.x, p.high.y, t), a4 = mix(p.high.y, p.high.z, t);
+    vec3 b = mix(a, vec3(a.y, a.z, a3), t);
+    float b3 = mix(a3, a4, t);
+    vec3 c = mix(b, vec3(b.y, b.z, b3), t);
+    vec2 d = mix(vec2(c.x, c.y), vec2(c.y, c.z), t);
+    return mix(d.x, d.y, t);
+}
+
+/// The part from `low` to the end, again over [0, 1].
+SHARED_FUNCTION Quintic quinticFrom(Quintic p, float low) {
+    vec3 a = mix(p.low, vec3(p.low.y, p.low.z, p.high.x), low);
+    float a3 = mix(p.high.x, p.high.y, low), a4 = mix(p.high.y, p.high.z, low);
+    vec3 b = mix(a, vec3(a.y, a.z, a3), low);
+    float b3 = mix(a3, a4, low);
+    vec3 c = mix(b, vec3(b.y, b.z, b3), low);
+    vec2 d = mix(vec2(c.x, c.y), vec2(c.y, c.z), low);
+    return Quintic(vec3(mix(d.x, d.y, low), d.y, c.z), vec3(b3, a4, p.high.z));
+}
+
+SHARED_FUNCTION Quintic quinticReversed(Quintic p) {
+    return Quintic(vec3(p.high.z, p.high.y, p.high.x), vec3(p.low.z, p.low.y, p.low.x));
+}
+
+/// The part from `low` to `high`, again over [0, 1].
+SHARED_FUNCTION Quintic quinticPart(Quintic p, float low, float high) {
+    Quintic until = quinticReversed(quinticFrom(quinticReversed(p), SHARED_FLOAT(1.0) - high));
+    return quinticFrom(until, high > SHARED_FLOAT(0.0) ? low / high : SHARED_FLOAT(0.0));
+}
+
+SHARED_FUNCTION float leastOf(Quintic p) {
+    vec3 least = min(p.low, p.high);
+    return min(min(least.x, least.y), least.z);
+}
+
+SHARED_FUNCTION float mostOf(Quintic p) {
+    vec3 most = max(p.low, p.high);
+    return max(max(most.x, most.y), most.z);
+}
+
+SHARED_FUNCTION float sizeOf(Quintic p) { return max(mostOf(p), -leastOf(p)); }
+
+/// 1 or -1, and 0 of what is no more than `doubt`.
+SHARED_FUNCTION float certainSign(float b, float doubt) {
+    return b > doubt ? SHARED_FLOAT(1.0) : (b < -doubt ? SHARED_FLOAT(-1.0) : SHARED_FLOAT(0.0));
+}
+
+/// The signs of the coefficients: how often they change, those left out that are 0 but for `doubt`, and the first and
+/// the last of the others; 0 where there are none.
+struct QuinticSigns {
+    uint variations;
+    float first, last;
+    bool beginsInDoubt;
+};
+
+SHARED_FUNCTION QuinticSigns signsOf(Quintic p, float doubt) {
+    const float zero = SHARED_FLOAT(0.0);
+    float opening = certainSign(p.low.x, doubt);
+    QuinticSigns s = QuinticSigns(0u, opening, opening, opening == zero);
+    for (int i = 1; i < 6; ++i) {
+        float b = i == 1 ? p.low.y : (i == 2 ? p.low.z : (i == 3 ? p.high.x : (i == 4 ? p.high.y : p.high.z)));
+        float side = certainSign(b, doubt);
+        if (side * s.last < zero) s.variations += 1u;
+        if (s.first == zero) s.first = side;
+        if (side != zero) s.last = side;
+    }
+    return s;
+}
+
+/// Where it changes its sign inside (0, 1), at most five times; 2 in the places that are free.
+struct QuinticChanges {
+    vec3 first;
+    vec2 second;
+    int pieces;  // that were looked at
+};
+
+/// Dyadic pieces are looked at from left to right, and halved while their coefficients change their sign more than once
+/// (Descartes' rule, in Bernstein form: Collins and Akritas 1976); a piece with one change is halved down to 2^-24 by
+/// the signs of its ends. A piece of 2^-20 whose coefficients still change their sign more than once is taken for one
+/// change where its ends differ, and for none where they do not: two changes nearer than that are missed as a pair.
+/// `doubt`: coefficients that are no larger have no sign; what is all in doubt does not change. Swapping all signs
+/// gives the same times.
+SHARED_FUNCTION QuinticChanges quinticChanges(Quintic p, float doubt) {
+    const float zero = SHARED_FLOAT(0.0), one = SHARED_FLOAT(1.0), two = SHARED_FLOAT(2.0);
+    QuinticChanges found = QuinticChanges(vec3(two), vec2(two), 0);
+    uint count = 0u;
+    float width = one, before = zero;
+    float begin = leastOf(p) < -doubt && mostOf(p) > doubt ? zero : one;
+    for (; begin < one && found.pieces < QUINTIC_PIECES; ++found.pieces) {
+        QuinticSigns signs = signsOf(quinticPart(p, begin, begin + width), doubt);
+        float first = before != zero ? before : signs.first;  // ends that two pieces share round to two values
+        bool changes = first * signs.last < zero;
+        float least = changes ? SHARED_FLOAT(5.9604645e-8) : SHARED_FLOAT(9.5367432e-7);
+        if ((changes || signs.variations > 1u) && width > least) {
+            width *= SHARED_FLOAT(0.5);
+            continue;
+        }
+        if (changes) {
+            float at = begin + SHARED_FLOAT(0.5) * width;
+            if (count == 0u) found.first.x = at;
+            if (count == 1u) found.first.y = at;
+            if (count == 2u) found.first.z = at;
+            if (count == 3u) found.second.x = at;
+            if (count == 4u) found.second.y = at;
+            count += 1u;
+        }
+        if (signs.last != zero) before = signs.last;
+        begin += width;
+        // On to the largest dyadic piece that begins here.
+        while (width < one && fract(begin / (two * width)) == zero) width *= two;
+    }
+    return found;
+}
+
+SHARED_END

@@ -1,0 +1,216 @@
+// Interval samples: what a position sees is a partition of the shutter, the right triangle in each of its parts, and the
+// same whatever the plan, the room for segments and the driver's loops allow at once. Pictures have no noise in time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "oracle/oracle.h"
+#include "scene_catalogue.h"
+#include "shared/sample_pattern.shared.h"
+#include "support/crowded_scene.h"
+#include "support/gl_environment.h"
+#include "support/moving_scene.h"
+#include "support/shader_copy.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+namespace {
+
+using PartValue = FrameRenderer::PartValue;
+
+FrameRequest intervalRequest(int positions = 2) {
+    FrameRequest request;
+    request.width = 64;
+    request.height = 48;
+    request.samples = CameraSamples::Intervals;
+    request.samplesPerPixel = positions;
+    request.mapSize = 64;
+    return request;
+}
+
+FrameRequest requestOf(const Scene& scene, FrameRequest request) {
+    request.frame = scene.defaults().frame;
+    request.shutter.framesPerSecond = scene.defaults().framesPerSecond;
+    request.shutter.length = scene.defaults().shutterLength;
+    return request;
+}
+
+std::vector<PartValue> drawParts(FrameRenderer& renderer, const Scene& scene, const FrameRequest& request,
+                                 const std::string& techniqueName) {
+    const std::unique_ptr<Technique> technique = makeTechnique(techniqueName, renderer.programs());
+    renderer.draw(FramePlanner(scene).plan(request), *technique, View::Visibility);
+    return renderer.readParts();
+}
+
+/// Parts of one triangle that follow each other become one.
+std::vector<SeenPart> segmentsOf(const std::vector<PartValue>& parts) {
+    std::vector<SeenPart> segments;
+    for (const PartValue& value : parts) {
+        const SeenPart& part = value.part;
+        if (!segments.empty() && segments.back().place == part.place && segments.back().triangle == part.triangle)
+            segments.back().end = part.end;
+        else
+            segments.push_back(part);
+    }
+    return segments;
+}
+
+/// Scenes by name, random quads ("quads", with a camera that turns "turning"), solids in each other ("crowd").
+std::unique_ptr<Scene> sceneOf(const std::string& name) {
+    if (name == "quads" || name == "turning" || name == "about")
+        return makeMovingScene({.seed = 3, .cameraTurns = name == "turning", .aroundTheEye = name == "about"});
+    if (name == "crowd") return makeCrowdedScene({.seed = 5});
+    return openScene(name, {}, {});
+}
+
+class IntervalSamplesOf : public testing::TestWithParam<std::string> {
+  protected:
+    std::unique_ptr<Scene> scene_ = sceneOf(GetParam());
+    FrameRequest request_ = requestOf(*scene_, intervalRequest());
+};
+
+TEST_P(IntervalSamplesOf, ArePartitionsOfTheShutter) {
+    for (const char* technique : {"integral", "exact"}) {
+        const std::vector<PartValue> parts = drawParts(sharedRenderer(), *scene_, request_, technique);
+        std::uint32_t place = 0;
+        float end = 1.0f;
+        for (const PartValue& value : parts) {
+            if (end == 1.0f) {
+                ASSERT_EQ(value.part.begin, 0.0f);
+                ASSERT_EQ(value.part.place, place++);
+            } else {
+                ASSERT_EQ(value.part.begin, end);
+                ASSERT_EQ(value.part.place, place - 1);
+            }
+            ASSERT_GT(value.part.end, value.part.begin);
+            end = value.part.end;
+        }
+        EXPECT_EQ(end, 1.0f);
+        EXPECT_EQ(place, 64u * 48u * 2u);
+    }
+}
+
+/// A camera sample of the same pixel and number has the same position, and one time.
+TEST_P(IntervalSamplesOf, SeeWhatTheOracleSeesAtAnyTime) {
+    FrameRequest strata = request_;
+    strata.samples = CameraSamples::Strata;
+    const std::vector<SeenPart> segments = segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "static"));
+    FramePlanner planner(*scene_);
+    const FramePlan plan = planner.plan(strata);
+    const Oracle oracle(plan);
+    const std::vector<std::uint32_t> seen = oracle.tracePrimaries(plan);
+    const std::size_t pixels = seen.size() / 2;
+    std::size_t wrong = 0, marginal = 0, at = 0;
+    for (std::uint32_t pixel = 0; pixel < pixels; ++pixel)
+        for (std::uint32_t k = 0; k < 2; ++k) {
+            const SampleIndex sample{pixel % 64, pixel / 64, k};
+            const float xi = shared::cameraSample({sample.x, sample.y}, k, plan.block.seed, 0).z;
+            const float u = shared::sampleTime(plan.block.timeBase, plan.block.timeScale, k, xi);
+            while (segments[at].place < pixel * 2 + k || segments[at].end < u) ++at;
+            if (segments[at].triangle == seen[k * pixels + pixel]) continue;
+            const Oracle::ResolvedPrimary resolved = oracle.resolvePrimary(plan, sample);
+            if (resolved.triangle != segments[at].triangle) ++(resolved.marginal ? marginal : wrong);
+        }
+    EXPECT_EQ(wrong, 0u);
+    EXPECT_LE(marginal, 2u);
+}
+
+/// For how long of the shutter two lists of one position see different triangles.
+double differenceOf(const std::vector<SeenPart>& a, std::size_t i, const std::vector<SeenPart>& b, std::size_t j) {
+    const std::uint32_t place = a[i].place;
+    double different = 0.0;
+    float at = 0.0f;
+    while (i < a.size() && j < b.size() && a[i].place == place && b[j].place == place) {
+        const float next = std::min(a[i].end, b[j].end);
+        if (a[i].triangle != b[j].triangle) different += static_cast<double>(next - at);
+        at = next;
+        if (a[i].end == next) ++i;
+        if (b[j].end == next) ++j;
+    }
+    return different;
+}
+
+/// By two ways: other triangles for longer than 1e-5 of the shutter at most in so many positions.
+void expectSameSegments(const std::vector<SeenPart>& a, const std::vector<SeenPart>& b, std::size_t mostDifferent) {
+    std::size_t different = 0, j = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (i > 0 && a[i].place == a[i - 1].place) continue;
+        while (b[j].place < a[i].place) ++j;
+        ASSERT_EQ(b[j].place, a[i].place);
+        different += differenceOf(a, i, b, j) > 1e-5 ? 1u : 0u;
+    }
+    EXPECT_LE(different, mostDifferent);
+}
+
+TEST_P(IntervalSamplesOf, AreTheSameWithEverythingDynamic) {
+    const std::vector<SeenPart> planned = segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "integral"));
+    request_.forceDynamic = true;
+    expectSameSegments(planned, segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "integral")), 2);
+}
+
+/// With next to no room, and with next to nothing done in one draw, all positions go the long ways.
+TEST_P(IntervalSamplesOf, NeverDropASegment) {
+    const std::vector<SeenPart> once = segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "integral"));
+    const ShaderCopy shaders;
+    shaders.apply({"lib/seen_partition.glsl", "SEGMENTS_TOGETHER 24", "SEGMENTS_TOGETHER 2"});
+    shaders.apply({"passes/seen_segments.frag", "SEGMENTS_KEPT 40", "SEGMENTS_KEPT 4"});
+    shaders.apply({"passes/seen_segments.frag", "partitionRounds < roundsAtOnce", "partitionRounds < 1"});
+    FrameRenderer renderer;
+    expectSameSegments(once, segmentsOf(drawParts(renderer, *scene_, request_, "integral")), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, IntervalSamplesOf,
+                         testing::Values("crossing", "cubes", "rising", "octopus", "chess", "quads", "turning", "about",
+                                         "crowd"),
+                         [](const testing::TestParamInfo<std::string>& tested) { return tested.param; });
+
+/// A solved shadow on solved samples has no random time in it: with positions at pixel centres no seed makes a
+/// difference.
+TEST(IntervalSamples, HaveNoNoiseInTime) {
+    const std::unique_ptr<Scene> scene = openScene("cubes", {}, {});
+    FrameRequest request = requestOf(*scene, intervalRequest(1));
+    request.pixelCentres = true;
+    FramePlanner planner(*scene);
+    std::vector<float> first;
+    for (std::uint32_t seed = 1; seed <= 16; ++seed) {
+        request.seed = seed;
+        const std::unique_ptr<Technique> technique = makeTechnique("integral", sharedRenderer().programs());
+        sharedRenderer().draw(planner.plan(request), *technique, View::Final);
+        const std::vector<float> picture = sharedRenderer().readRadiance().rgb;
+        if (first.empty()) first = picture;
+        ASSERT_EQ(picture, first) << "seed " << seed;
+    }
+}
+
+/// Nothing moves: one sample a position, drawn as ever.
+TEST(IntervalSamples, OfAStaticSceneAreItsSamples) {
+    const std::unique_ptr<Scene> scene = openScene("cubes", {}, {});
+    FrameRequest request = requestOf(*scene, intervalRequest());
+    request.shutter.length = 0.0;
+    FramePlanner planner(*scene);
+    const std::unique_ptr<Technique> technique = makeTechnique("exact", sharedRenderer().programs());
+    sharedRenderer().draw(planner.plan(request), *technique, View::Visibility);
+    EXPECT_FALSE(sharedRenderer().hasIntervalSamples());
+    const std::vector<float> lit = sharedRenderer().readVisibility();
+    request.samples = CameraSamples::Strata;
+    sharedRenderer().draw(planner.plan(request), *technique, View::Visibility);
+    EXPECT_EQ(sharedRenderer().readVisibility(), lit);
+}
+
+/// What is drawn sample by sample is refused by name, not drawn as something else.
+TEST(IntervalSamples, AreRefusedByWhatNeedsATimeASample) {
+    const std::unique_ptr<Scene> scene = openScene("crossing", {}, {});
+    FramePlanner planner(*scene);
+    const FramePlan plan = planner.plan(requestOf(*scene, intervalRequest()));
+    for (const TechniqueDescription& description : techniqueDescriptions()) {
+        const std::unique_ptr<Technique> technique = makeTechnique(description.name, sharedRenderer().programs());
+        if (technique->hasOwnLookup() || technique->renders() > 1)
+            EXPECT_THROW(sharedRenderer().draw(plan, *technique, View::Final), Error) << description.name;
+        else
+            EXPECT_NO_THROW(sharedRenderer().draw(plan, *technique, View::Final)) << description.name;
+    }
+}
+
+}  // namespace
+}  // namespace timeshade
