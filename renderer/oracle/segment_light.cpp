@@ -132,7 +132,8 @@ class CasterTimes {
 
     bool shadows(double t) const {
         const Receiver receiver = way_.receiverAt(t);
-        if (!receiver.answer.tested) return false;
+        // Whether it is tested changes at times of its own. Seen exactly edge-on it is no point.
+        if (!(receiver.clearance > 0.0)) return false;
         const glm::dvec3 &from = receiver.answer.position, &to = receiver.light;
         glm::dvec3 vertices[3];
         way_.triangles().at(id_, way_.timeOf(t), vertices);
