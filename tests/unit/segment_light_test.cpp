@@ -192,7 +192,7 @@ TEST_P(SegmentLight, IsThatOfInstants) {
     report(GetParam().name, sum);
     EXPECT_EQ(sum.off, 0);
     EXPECT_GT(sum.partly, sum.segments / 12);
-    EXPECT_LE(sum.missed, 1 + sum.segments / 1000);
+    EXPECT_LE(sum.missed, 1 + sum.segments / 200);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SegmentLight,
@@ -215,7 +215,7 @@ TEST_P(SegmentLightScenes, IsThatOfInstants) {
     const Tally tally = compare(plan, many(150), 5, 1e-9);
     report(GetParam().first, tally);
     EXPECT_EQ(tally.off, 0);
-    EXPECT_LE(tally.missed, 1 + tally.segments / 1000);
+    EXPECT_LE(tally.missed, 1 + tally.segments / 200);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SegmentLightScenes,
