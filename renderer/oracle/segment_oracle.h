@@ -48,10 +48,11 @@ class SegmentOracle {
     /// The same for each of the places, on all cores.
     std::vector<std::vector<SeenSegment>> seenByAll(const FramePlan& plan, std::span<const glm::vec2> places) const;
 
-    /// The lit time of each segment of a place, as seenBy gives them: the union of the times at which any other
-    /// triangle shadows the receiver, as docs/numerics.md, "Definition of shadow", has it, on the receiver's true way.
-    /// Ends of shadows are off by some 1e-12 where edges move. A cut of the way is decided by the oracle's own test of
-    /// an instant; no way is replaced by chords.
+    /// The lit time of each segment of a place: the union of the times at which any other triangle shadows the
+    /// receiver, as docs/numerics.md, "Definition of shadow", has it, on the receiver's true way. Ends of shadows are
+    /// off by some 1e-12 where edges move. Between two of them the oracle's own test of an instant decides; no way is
+    /// replaced by chords. The segments may be those of seenBy or another list: of each, the receiver is where the
+    /// position's ray meets the plane of its triangle.
     std::vector<LitSegment> litOver(const FramePlan& plan, glm::vec2 place,
                                     std::span<const SeenSegment> segments) const;
     /// seenBy and litOver for each of the places, on all cores.
