@@ -13,19 +13,16 @@ constexpr int count = Polynomial::mostDegree + 1;
 using Row = std::array<Real, count>;
 
 /// Binomial coefficients: row n, column k.
-const std::array<Row, count>& binomials() {
-    static const std::array<Row, count> table = [] {
-        std::array<Row, count> rows{};
-        for (std::size_t n = 0; n < count; ++n) {
-            rows[n][0] = rows[n][n] = 1;
-            for (std::size_t k = 1; k < n; ++k) rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
-        }
-        return rows;
-    }();
-    return table;
-}
+constexpr std::array<Row, count> binomials = [] {
+    std::array<Row, count> rows{};
+    for (std::size_t n = 0; n < count; ++n) {
+        rows[n][0] = rows[n][n] = 1;
+        for (std::size_t k = 1; k < n; ++k) rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
+    }
+    return rows;
+}();
 
-Real binomial(int n, int k) { return binomials()[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)]; }
+const Row& binomialsOf(int n) { return binomials[static_cast<std::size_t>(n)]; }
 
 /// Both halves of a polynomial, each over [0, 1] again.
 void halve(const Polynomial& p, Polynomial& left, Polynomial& right) {
@@ -118,12 +115,16 @@ Polynomial Polynomial::elevated(int degree) const {
 }
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
-    const int n = a.degree() + b.degree();
-    Polynomial product = Polynomial::zero(n);
-    for (int i = 0; i <= a.degree(); ++i)
-        for (int j = 0; j <= b.degree(); ++j)
-            product[i + j] += binomial(a.degree(), i) * binomial(b.degree(), j) * (a[i] * b[j]);
-    for (int k = 1; k < n; ++k) product[k] /= binomial(n, k);
+    const int m = a.degree(), n = b.degree();
+    Polynomial product = Polynomial::zero(m + n);
+    const Row &ofA = binomialsOf(m), &ofB = binomialsOf(n), &ofProduct = binomialsOf(m + n);
+    Row scaledB;
+    for (std::size_t j = 0; j <= static_cast<std::size_t>(n); ++j) scaledB[j] = ofB[j] * b[static_cast<int>(j)];
+    for (int i = 0; i <= m; ++i) {
+        const Real scaled = ofA[static_cast<std::size_t>(i)] * a[i];
+        for (int j = 0; j <= n; ++j) product[i + j] += scaled * scaledB[static_cast<std::size_t>(j)];
+    }
+    for (int k = 1; k < m + n; ++k) product[k] /= ofProduct[static_cast<std::size_t>(k)];
     return product;
 }
 

@@ -34,16 +34,15 @@ SeenTriangle::SeenTriangle(const PositionRay& ray, const MovingTriangles& triang
     : ray_(ray), id_(id), twoSided_(triangles.doubleSided(id)) {
     for (int v = 0; v < 3; ++v)
         for (int end = 0; end < 2; ++end) vertices_[v][end] = triangles.end(id, v, end == 1);
-    makeFunctions();
-    if (isNeverSeen()) return;
-    for (int which = 0; which < functions; ++which)
+    if (!makeFunctions()) return;
+    for (int which = 0; which < functionCount; ++which)
         if (isVague(functions_[which])) functions_[which] = rounded(exact(static_cast<Which>(which)));
     makeSpans();
 }
 
 /// Error bounds count some 20 roundings of products whose factors are bounded by the vectors' largest components; four
 /// times as many are allowed for.
-void SeenTriangle::makeFunctions() {
+bool SeenTriangle::makeFunctions() {
     VectorPolynomial w[3], side[3];
     for (int i = 0; i < 3; ++i) w[i] = wayBetween(ray_.eye, vertices_[i]);
     for (int i = 0; i < 3; ++i) side[i] = wayBetween(vertices_[(i + 1) % 3], vertices_[(i + 2) % 3]);
@@ -57,6 +56,7 @@ void SeenTriangle::makeFunctions() {
                          128 * epsilon * dSize * ((a.largest() + b.largest()) * side[i].largest())};
         functions_[i].p = static_cast<Real>(0.5) * functions_[i].p;
     }
+    if (isNeverSeen({Edge0, Edge1, Edge2})) return false;
     const VectorPolynomial normal = cross(side[2], static_cast<Real>(-1) * Polynomial{1} * side[1]);
     const Real area = side[1].largest() * side[2].largest();
     functions_[Sum] = {dot(d, normal), 128 * epsilon * dSize * area};
@@ -64,11 +64,13 @@ void SeenTriangle::makeFunctions() {
     const auto nearDistance = static_cast<Real>(ray_.nearDistance);
     functions_[Near] = {functions_[Plane].p - nearDistance * functions_[Sum].p,
                         2 * (functions_[Plane].error + nearDistance * functions_[Sum].error)};
+    return !isNeverSeen({Edge0, Edge1, Edge2, Near});
 }
 
-bool SeenTriangle::isNeverSeen() const {
+/// From the front all of these are negative, from behind positive.
+bool SeenTriangle::isNeverSeen(std::initializer_list<Which> all) const {
     bool front = true, back = twoSided_;
-    for (const Which which : {Edge0, Edge1, Edge2, Near}) {
+    for (const Which which : all) {
         const Function& f = functions_[which];
         front = front && f.p.least() <= f.error;
         back = back && f.p.greatest() >= -f.error;

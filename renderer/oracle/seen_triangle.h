@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -48,13 +49,13 @@ class SeenTriangle {
         Polynomial p;
         Real error = 0;  ///< of a coefficient
     };
-    enum Which { Edge0, Edge1, Edge2, Sum, Plane, Near, functions };
+    enum Which { Edge0, Edge1, Edge2, Sum, Plane, Near, functionCount };
     struct Exact {
         ExactPolynomial sum, plane;
     };
 
-    void makeFunctions();
-    bool isNeverSeen() const;
+    bool makeFunctions();  ///< false where the triangle is clearly never seen; some are missing then
+    bool isNeverSeen(std::initializer_list<Which> which) const;
     void makeSpans();
     ExactPolynomial exact(Which which) const;
     int signAt(Which which, double u) const;
@@ -68,7 +69,7 @@ class SeenTriangle {
     std::uint32_t id_;
     bool twoSided_;
     glm::dvec3 vertices_[3][2];
-    Function functions_[functions];
+    Function functions_[functionCount];
     std::vector<TimeSpan> spans_;
 };
 

@@ -52,8 +52,10 @@ class CasterTimes {
     }
 
     void addTo(std::vector<TimeSpan>& dark) {
-        makeFunctions();
-        if (isNever()) return;
+        makeEdges();
+        if (passesOutside()) return;
+        makePlanes();
+        if (isNotBetween()) return;
         std::vector<double> cuts;
         for (const Function& f : functions_) addRoots(f.p, std::max(f.error, 64 * epsilon * f.p.largest()), cuts);
         addClearance(cuts);
@@ -69,7 +71,7 @@ class CasterTimes {
     };
     enum Which { Edge0, Edge1, Edge2, AtReceiver, AtLight, functions };
 
-    void makeFunctions() {
+    void makeEdges() {
         const VectorPolynomial &a = way_.toLight(), &m = way_.moment();
         const Real aError = way_.positionError() + 8 * epsilon * a.largest();
         const Real half = static_cast<Real>(0.5);
@@ -81,6 +83,11 @@ class CasterTimes {
             functions_[i].error =
                 16 * size * (aError * (from.largest() + to.largest()) + way_.lightError() + 8 * epsilon * m.largest());
         }
+    }
+
+    void makePlanes() {
+        const VectorPolynomial& a = way_.toLight();
+        const Real aError = way_.positionError() + 8 * epsilon * a.largest();
         normal_ = cross(side_[2], static_cast<Real>(-1) * Polynomial{1} * side_[1]);
         const Real area = side_[1].largest() * side_[2].largest();
         functions_[AtReceiver].p = way_.sum() * dot(normal_, v_[0]) - dot(normal_, way_.position());
@@ -95,11 +102,13 @@ class CasterTimes {
     bool isAbove(Which which) const { return functions_[which].p.least() > functions_[which].error; }
     bool isBelow(Which which) const { return functions_[which].p.greatest() < -functions_[which].error; }
 
-    bool isNever() const {
+    bool passesOutside() const {
         const bool above = isAbove(Edge0) || isAbove(Edge1) || isAbove(Edge2);
         const bool below = isBelow(Edge0) || isBelow(Edge1) || isBelow(Edge2);
-        return (above && below) || (isAbove(AtReceiver) && isAbove(AtLight)) ||
-               (isBelow(AtReceiver) && isBelow(AtLight));
+        return above && below;
+    }
+    bool isNotBetween() const {
+        return (isAbove(AtReceiver) && isAbove(AtLight)) || (isBelow(AtReceiver) && isBelow(AtLight));
     }
 
     /// The caster's plane is as far from the receiver as the clearance: (n . (v - p))^2 = c^2 n . n, where c is linear.

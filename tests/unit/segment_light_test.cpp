@@ -222,5 +222,56 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SegmentLightScenes,
                          testing::Values(std::pair("chess", 20.0), std::pair("octopus", 96.0),
                                          std::pair("pillars", 11.0), std::pair("cubes", 0.0)));
 
+/// A ground, a sheet that the camera looks through from behind, and a sun above both.
+class OverTheGround {
+  public:
+    /// Heights at x = -1 and x = 1, at both ends of the shutter; the sheet slides by `slide`.
+    OverTheGround(glm::dvec2 open, glm::dvec2 close, double slide) {
+        scene_.quads.push_back(slidingQuad({0, 0, 0}, {0, 0, 0}, 1000.0, -1000.0, 1000.0));
+        MovingQuad sheet{};
+        const double x[4] = {-1, -1, 1, 1}, y[4] = {-1, 1, 1, -1};
+        for (int c = 0; c < 4; ++c) {
+            sheet.open[c] = {3.0 * x[c] - 0.5 * slide, 3.0 * y[c], x[c] < 0 ? open.x : open.y};
+            sheet.close[c] = {3.0 * x[c] + 0.5 * slide, 3.0 * y[c], x[c] < 0 ? close.x : close.y};
+        }
+        scene_.quads.push_back(sheet);
+        scene_.cameraOpen = scene_.cameraClose = lookAt({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.5, 0.01);
+        scene_.lightOpen.kind = LightKind::Directional;
+        scene_.lightOpen.position = scene_.lightClose.position = {0, 0, 10};
+        scene_.finish();
+        plan_ = FramePlanner(scene_).plan(ProceduralScene::request(64, 64, 1, 64, 1));
+    }
+    double litTime() const {
+        const SegmentOracle oracle(plan_);
+        const vec2 place(32.0f, 33.0f);
+        const std::vector<SeenSegment> seen = oracle.seenBy(plan_, place);
+        EXPECT_EQ(seen.size(), 1u);
+        EXPECT_LT(seen[0].triangle, 2u);
+        return oracle.litOver(plan_, place, seen)[0].lit;
+    }
+    static constexpr double clearance = 1000.0 * 0x1p-21;
+
+  private:
+    ProceduralScene scene_;
+    FramePlan plan_;
+};
+
+/// A sheet that rises through the ground shadows it from the clearance on.
+TEST(SegmentLightCases, BeginsWhereTheClearanceEnds) {
+    const double c = OverTheGround::clearance;
+    const OverTheGround rising({-c, -c}, {3.0 * c, 3.0 * c}, 0.0);
+    EXPECT_NEAR(rising.litTime(), 0.5, 1e-6);
+    const OverTheGround higher({c / 2, c / 2}, {3.0 * c, 3.0 * c}, 0.0);
+    EXPECT_NEAR(higher.litTime(), 0.2, 1e-6);
+}
+
+/// It need not pass through the ground: its height over a receiver is a parabola that dips below the clearance.
+TEST(SegmentLightCases, DipsBelowTheClearance) {
+    const double c = OverTheGround::clearance;
+    // It slants from left to right, then from right to left, while it slides: c / 2 + c (2 u - 1)^2 at x = 0.
+    const OverTheGround dips({-5.5 * c, 6.5 * c}, {6.5 * c, -5.5 * c}, 1.0);
+    EXPECT_NEAR(dips.litTime(), std::sqrt(0.5), 1e-5);
+}
+
 }  // namespace
 }  // namespace timeshade
