@@ -13,6 +13,7 @@
 
 #include "cases/procedural_scene.h"
 #include "oracle/camera_rays.h"
+#include "oracle/oracle.h"
 #include "oracle/resolve_shadow.h"
 #include "oracle/seen_segments.h"
 #include "oracle/segment_oracle.h"
@@ -221,6 +222,45 @@ TEST_P(SegmentLightScenes, IsThatOfInstants) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SegmentLightScenes,
                          testing::Values(std::pair("chess", 20.0), std::pair("octopus", 96.0),
                                          std::pair("pillars", 11.0), std::pair("cubes", 0.0)));
+
+/// Positions spread over a pixel, each with exact time, give what rays spread over pixel and time converge to.
+TEST(SegmentLightCases, PositionsGiveTheVisibilityOfPixels) {
+    const std::unique_ptr<Scene> scene = openScene("cubes", "");
+    FrameRequest request;
+    request.width = 12;
+    request.height = 9;
+    const FramePlan plan = FramePlanner(*scene).plan(request);
+    const SegmentOracle segments(plan);
+    const std::vector<VisibilityMean> rays = Oracle(plan).pixelMeans(plan, 0, 9, 8192, 3);
+    constexpr int count = 256;
+    double squares = 0.0, worst = 0.0;
+    int pixels = 0, partly = 0;
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 12; ++x) {
+            std::vector<vec2> places;
+            for (int i = 0; i < count; ++i) {
+                // A lattice that no line of the picture follows.
+                const float across = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+                const float up = std::fmod(0.3f + 0.618034f * static_cast<float>(i), 1.0f);
+                places.emplace_back(static_cast<float>(x) + across, static_cast<float>(y) + up);
+            }
+            double tested = 0.0, lit = 0.0;
+            for (const std::vector<LitSegment>& list : segments.litByAll(plan, places))
+                for (const LitSegment& s : list) tested += s.tested, lit += s.lit;
+            const VisibilityMean& mean = rays[static_cast<std::size_t>(12 * y + x)];
+            if (!(tested > 0.0) || !mean.exists()) continue;
+            const double error = lit / tested - mean.value();
+            ++pixels;
+            partly += lit > 0.0 && lit < tested ? 1 : 0;
+            squares += error * error;
+            worst = std::max(worst, std::abs(error));
+        }
+    std::printf("%d pixels, %d of them partly lit: root mean square difference %.4f, worst %.4f\n", pixels, partly,
+                std::sqrt(squares / pixels), worst);
+    EXPECT_GT(partly, 40);
+    EXPECT_LT(std::sqrt(squares / pixels), 0.006);  // 256 places a pixel, 8,192 rays
+    EXPECT_LT(worst, 0.02);
+}
 
 /// A ground, a sheet that the camera looks through from behind, and a sun above both.
 class OverTheGround {
