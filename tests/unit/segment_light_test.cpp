@@ -221,7 +221,8 @@ TEST_P(SegmentLightScenes, IsThatOfInstants) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SegmentLightScenes,
                          testing::Values(std::pair("chess", 20.0), std::pair("octopus", 96.0),
-                                         std::pair("pillars", 11.0), std::pair("cubes", 0.0)));
+                                         std::pair("pillars", 11.0), std::pair("cubes", 0.0)),
+                         [](const auto& scene) { return std::string(scene.param.first); });
 
 /// Positions spread over a pixel, each with exact time, give what rays spread over pixel and time converge to.
 TEST(SegmentLightCases, PositionsGiveTheVisibilityOfPixels) {

@@ -215,7 +215,8 @@ TEST_P(SegmentOracleScenes, AgreesWithInstants) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SegmentOracleScenes,
                          testing::Values(Moment{"chess", 20.0, 500}, Moment{"octopus", 96.0, 500},
-                                         Moment{"pillars", 11.0, -1}, Moment{"cubes", 0.0, 1000}));
+                                         Moment{"pillars", 11.0, -1}, Moment{"cubes", 0.0, 1000}),
+                         [](const auto& moment) { return std::string(moment.param.scene); });
 
 }  // namespace
 }  // namespace timeshade
