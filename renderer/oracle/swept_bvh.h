@@ -46,6 +46,10 @@ class SweptBvh {
     void forEachNear(const glm::dvec3& from, const glm::dvec3& direction, double u, double pad, double limit,
                      Visit&& visit) const;
 
+    /// Calls visit(id) for all triangles but those of boxes of which misses(box) is true, in no order.
+    template <class Misses, class Visit>
+    void forEachUnless(const Misses& misses, Visit&& visit) const;
+
     double largestCoordinate() const { return largestCoordinate_; }  ///< magnitude, over all vertices at both ends
 
   private:
@@ -106,6 +110,21 @@ void SweptBvh::forEachNear(const glm::dvec3& from, const glm::dvec3& direction, 
         }
         if (far < HUGE_VAL) stack[size++] = {far, farChild};
         if (near < HUGE_VAL) stack[size++] = {near, nearChild};
+    }
+}
+
+template <class Misses, class Visit>
+void SweptBvh::forEachUnless(const Misses& misses, Visit&& visit) const {
+    if (nodes_.empty() || misses(nodes_[0].box)) return;
+    std::uint32_t stack[maximumDepth + 4];
+    int size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+        const Node& node = nodes_[stack[--size]];
+        for (std::uint32_t i = 0; i < node.count; ++i) visit(order_[node.first + i]);
+        if (node.count > 0) continue;
+        for (const std::uint32_t child : {node.first, node.first + 1})
+            if (!misses(nodes_[child].box)) stack[size++] = child;
     }
 }
 
