@@ -20,7 +20,8 @@ DisplayImage drawDiagnostic(FrameRenderer& renderer, const FramePlan& plan, Tech
         return errorView(renderer.readRadiance(), reference);
     }
     if (plan.block.positions > 0)
-        throw UsageError("--view disagreement: interval samples have no instant to be wrong at; expected --samples strata");
+        throw UsageError(
+            "--view disagreement: interval samples have no instant to be wrong at; expected --samples strata");
     DisagreementView view(width, height);
     VerificationOptions how;
     how.checkPrimaries = false;

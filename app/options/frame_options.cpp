@@ -30,8 +30,9 @@ void declareSampling(CLI::App& app, FrameOptions& options) {
                    "pixel, and what each sees is solved for the whole shutter")
         ->transform(oneOf<CameraSamples>({{"strata", CameraSamples::Strata}, {"intervals", CameraSamples::Intervals}}))
         ->multi_option_policy(lastWins);
-    app.add_option("--time-strata", options.timeStrata,
-                   "of interval samples: strata of the shutter, in each of which techniques that test instants test one")
+    app.add_option(
+           "--time-strata", options.timeStrata,
+           "of interval samples: strata of the shutter, in each of which techniques that test instants test one")
         ->check(numberFrom(1, maximumSamplesPerPixel))
         ->multi_option_policy(lastWins);
     app.add_option_function<std::string>(

@@ -18,7 +18,7 @@ struct FrameOptions {
     CameraSamples samples = CameraSamples::Strata;
     int samplesPerPixel = 8;
     int timeStrata = 8;  ///< of interval samples
-    MapSize mapSize;  ///< of the shadow map
+    MapSize mapSize;     ///< of the shadow map
     unsigned seed = 1;
     std::string clip;                       ///< name of one of the file's animations; empty for the first
     std::optional<double> frame;            ///< the scene's own where not given

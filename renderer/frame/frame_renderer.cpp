@@ -51,8 +51,8 @@ std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type)
 void requireIntervals(Technique& technique, const std::string& view) {
     const std::string& name = technique.description().name;
     if (technique.hasOwnLookup() || technique.renders() > 1)
-        throw Error(fmt::format("technique {} needs camera samples that have a time each; expected --samples strata",
-                                name));
+        throw Error(
+            fmt::format("technique {} needs camera samples that have a time each; expected --samples strata", name));
     if (!view.empty())
         throw Error(fmt::format("view {} of {} shows camera samples that have a time each; expected --samples strata",
                                 view, name));
@@ -189,8 +189,8 @@ void FrameRenderer::drawShade(const FramePlan& plan) {
     if (plan.block.positions == 0)
         return shadePass_.draw(plan, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
     shadePass_.draw(plan, fullscreen_,
-                    {intervals_.parts(), intervals_.heads(), partLookup_.values(), technique_->solvesIntervals()}, view_,
-                    *radiance_);
+                    {intervals_.parts(), intervals_.heads(), partLookup_.values(), technique_->solvesIntervals()},
+                    view_, *radiance_);
 }
 
 void FrameRenderer::drawLookup(const TechniqueFrame& frame) {

@@ -16,9 +16,10 @@ void PartLookup::draw(const TechniqueFrame& frame, const Lookup& lookup, const I
         GLint largest = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
         if (rows > largest)
-            throw LimitError(fmt::format("{} parts of what positions see need {} rows of a texture; this device's "
-                                         "GL_MAX_TEXTURE_SIZE is {}: draw a smaller picture, or lower --spp",
-                                         samples.partCount(), rows, largest));
+            throw LimitError(
+                fmt::format("{} parts of what positions see need {} rows of a texture; this device's "
+                            "GL_MAX_TEXTURE_SIZE is {}: draw a smaller picture, or lower --spp",
+                            samples.partCount(), rows, largest));
         values_.reset();
         values_ = gl::Texture::image2D("visibility of parts", GL_RG32F, width, std::min(largest, rows + rows / 8 + 1));
         const GLfloat none[2] = {1.0f, 0.0f};

@@ -17,7 +17,7 @@ namespace {
 
 const std::string staticName = "interval samples: static";
 constexpr std::array<int, 4> roundsAtOnce{600, 2400, 150, 40};  // of the loops of one pixel
-constexpr std::size_t bytesOfState = 5 * 4;  // SeenState of passes/seen_segments.frag
+constexpr std::size_t bytesOfState = 5 * 4;                     // SeenState of passes/seen_segments.frag
 const std::string advice = "draw a smaller picture, or lower --spp";
 
 template <typename T>
@@ -38,8 +38,7 @@ IntervalSamples::IntervalSamples(gl::ProgramCache& programs, FrameCaches& caches
       parts_("parts of what positions see", GL_RGBA32UI),
       countsBuffer_("counts of parts", sizeof(Counts)) {}
 
-IntervalSamples::Candidates::Candidates(const FramePlan& plan)
-    : Candidates(seenTiles(plan)) {}
+IntervalSamples::Candidates::Candidates(const FramePlan& plan) : Candidates(seenTiles(plan)) {}
 
 IntervalSamples::Candidates::Candidates(const SeenTiles& tiles)
     : triangles(bufferOf("seen triangles", tiles.triangles)),
@@ -130,8 +129,8 @@ void IntervalSamples::solve(const FramePlan& plan, const Fullscreen& fullscreen,
             .set("tilesInRow", candidates_->columns)
             .set("tileSide", candidates_->tileSide)
             .set("buckets", candidates_->buckets);
-        const std::size_t bytes = static_cast<std::size_t>(heads_->width()) *
-                                  static_cast<std::size_t>(heads_->height()) * bytesOfState;
+        const std::size_t bytes =
+            static_cast<std::size_t>(heads_->width()) * static_cast<std::size_t>(heads_->height()) * bytesOfState;
         if (!states_ || states_->bytes() < bytes) states_.emplace("positions that are left", bytes, advice);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SEEN_STATES_BINDING, states_->name());
     }
@@ -153,16 +152,14 @@ void IntervalSamples::solve(const FramePlan& plan, const Fullscreen& fullscreen,
         const gl::Program& program = programFor(defines);
         if (candidates_) program.set("roundsAtOnce", roundsAtOnce.front());
         drawPosition(program, fullscreen, position);
-        if (candidates_ && takeCounts().unfinished > 0)
-            finishPosition(programFor(goesOn), fullscreen, position);
+        if (candidates_ && takeCounts().unfinished > 0) finishPosition(programFor(goesOn), fullscreen, position);
     }
     counts_ = gl::readElements<Counts>(countsBuffer_, 0, 1).front();
 }
 
-/// Goes on until nothing is left. Where none of the positions came on, with more rounds of loops at once, as one of them
-/// may need them, then with fewer, as the driver may have ended them.
-void IntervalSamples::finishPosition(const gl::Program& program, const Fullscreen& fullscreen,
-                                     std::uint32_t position) {
+/// Goes on until nothing is left. Where none of the positions came on, with more rounds of loops at once, as one of
+/// them may need them, then with fewer, as the driver may have ended them.
+void IntervalSamples::finishPosition(const gl::Program& program, const Fullscreen& fullscreen, std::uint32_t position) {
     Counts drawn;
     std::size_t tries = 0;
     do {

@@ -23,8 +23,8 @@ struct SeenPart {
 /// Solves what every position of the picture sees during the shutter (docs/numerics.md, "Interval samples"): a
 /// partition of [0, 1] into segments, one triangle each, nearest throughout. What is static before the camera is drawn,
 /// once while it stays the same; only triangles that move are solved. The parts of a position follow each other; the
-/// first begins at 0, the last ends at 1, and each ends where the next begins, bit for bit. Nothing is dropped: what one
-/// draw does not finish, as a driver bounds the rounds of its loops, the next goes on with.
+/// first begins at 0, the last ends at 1, and each ends where the next begins, bit for bit. Nothing is dropped: what
+/// one draw does not finish, as a driver bounds the rounds of its loops, the next goes on with.
 class IntervalSamples {
   public:
     IntervalSamples(gl::ProgramCache& programs, FrameCaches& caches);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float slack = 1.0f / 64.0f;  // pixels
 constexpr int mostBuckets = 16;
-constexpr int mostSide = 8;            // of a tile, pixels
+constexpr int mostSide = 8;  // of a tile, pixels
 constexpr double halfTile = 0.5 * mostSide;
 constexpr std::size_t longList = 300;  // tiles are halved while there are longer ones
 
@@ -62,7 +62,8 @@ void forEachList(const SeenTiles& tiles, const Extent& extent, std::size_t bucke
     if (extent.isEmpty) return;
     const auto side = static_cast<float>(tiles.side);
     const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(extent.low / side)), glm::ivec2(0));
-    const glm::ivec2 last = glm::min(glm::ivec2(glm::floor(extent.high / side)), glm::ivec2(tiles.columns, tiles.rows) - 1);
+    const glm::ivec2 last =
+        glm::min(glm::ivec2(glm::floor(extent.high / side)), glm::ivec2(tiles.columns, tiles.rows) - 1);
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x)
             visit(static_cast<std::size_t>(y * tiles.columns + x) * static_cast<std::size_t>(tiles.buckets) + bucket,

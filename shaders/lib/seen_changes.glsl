@@ -85,15 +85,22 @@ float nextChange(OrderChanges c, float u) {
     return min(min(next.x, next.y), min(next.z, 1.0));
 }
 
-// `isFirst`: a stands before b in the mesh; the same times are found of the two in either order.
-OrderChanges orderChanges(vec2 place, ViewPath a, ViewPath b, bool isStatic, float staticDistance, bool isFirst) {
+// Those between u0 and u1, and maybe others. `isFirst`: a stands before b in the mesh; the same times are found of the
+// two in either order.
+OrderChanges orderChanges(vec2 place, ViewPath a, ViewPath b, bool isStatic, float staticDistance, bool isFirst,
+                          float u0, float u1) {
     DepthAlongRay mine = depthAlongRay(a, quadraticEdges(a, place)), theirs = staticDepthAlongRay(staticDistance);
     if (!isStatic) theirs = depthAlongRay(b, quadraticEdges(b, place));
     Quintic order = orderOf(mine, theirs);
     if (!isFirst) order = Quintic(-order.low, -order.high);
     vec2 mineDepths = depthsOf(a), theirDepths = isStatic ? vec2(staticDistance) : depthsOf(b);
     float span = max(mineDepths.y, theirDepths.y) - min(mineDepths.x, theirDepths.x);
-    return quinticChanges(order, orderDoubt(mine, theirs, span));
+    float doubt = orderDoubt(mine, theirs, span);
+    // A little more than what is wanted, for what is rounded.
+    Quintic wanted = quinticPart(order, max(u0 - 1.0 / 65536.0, 0.0), min(u1 + 1.0 / 65536.0, 1.0));
+    QuinticChanges changes = QuinticChanges(vec3(2.0), vec2(2.0), 0);
+    ONLY_IF(leastOf(wanted) < -doubt && mostOf(wanted) > doubt) changes = quinticChanges(order, doubt);
+    return changes;
 }
 #else
 TurningPolynomials polynomialsOf(ViewPath v, vec2 place) {
@@ -155,7 +162,8 @@ EdgeChanges edgeChanges(vec2 place, SeenTriangle t) {
     return c;
 }
 
-OrderChanges orderChanges(vec2 place, ViewPath a, ViewPath b, bool isStatic, float staticDistance, bool isFirst) {
+OrderChanges orderChanges(vec2 place, ViewPath a, ViewPath b, bool isStatic, float staticDistance, bool isFirst,
+                          float u0, float u1) {
     TurningPolynomials mine = polynomialsOf(a, place);
     Bernstein depth = bernsteinProduct(bernsteinConstant(staticDistance), rayDepth(place)), area = bernsteinConstant(1.0);
     ONLY_IF(!isStatic) {
@@ -166,6 +174,11 @@ OrderChanges orderChanges(vec2 place, ViewPath a, ViewPath b, bool isStatic, flo
     Bernstein mineArea = areaOf(mine);
     float doubt = orderDoubt(mine.depth, mineArea, depth, area);
     Bernstein order = isFirst ? orderOf(mine.depth, mineArea, depth, area) : orderOf(depth, area, mine.depth, mineArea);
-    return bernsteinChanges(order, doubt);
+    Bernstein wanted = bernsteinPart(order, max(u0 - 1.0 / 65536.0, 0.0), min(u1 + 1.0 / 65536.0, 1.0));
+    BernsteinChanges changes = noChanges();
+    ONLY_IF(bernsteinLeast(wanted) < -doubt && bernsteinMost(wanted) > doubt) {
+        changes = bernsteinChanges(order, doubt);
+    }
+    return changes;
 }
 #endif

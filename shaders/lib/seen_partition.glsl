@@ -88,7 +88,8 @@ void appendNearer(Seen mine, uint number, vec2 depth, float x, float y) {
         other = seenTriangle(number).path;
     }
     OrderChanges changes =
-        orderChanges(place, mine.triangle.path, other, isStatic, staticDistance, isStatic || mine.number < number);
+        orderChanges(place, mine.triangle.path, other, isStatic, staticDistance, isStatic || mine.number < number,
+                     x / TICKS, y / TICKS);
     partitionRounds += 4 + 2 * changes.pieces;
     float u = 0.0;
     for (float at = x; at < y;) {

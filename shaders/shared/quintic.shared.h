@@ -4,7 +4,7 @@
 #include "shared/cubic.shared.h"
 
 // So many are looked at: five changes take less. Only rounding makes more, where next to nothing is left of a difference.
-#define QUINTIC_PIECES 400
+#define QUINTIC_PIECES 300
 
 SHARED_BEGIN
 

@@ -1,5 +1,6 @@
-// Interval samples: what a position sees is a partition of the shutter, the right triangle in each of its parts, and the
-// same whatever the plan, the room for segments and the driver's loops allow at once. Pictures have no noise in time.
+// Interval samples: what a position sees is a partition of the shutter, the right triangle in each of its parts, and
+// the same whatever the plan, the room for segments and the driver's loops allow at once. Pictures have no noise in
+// time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
