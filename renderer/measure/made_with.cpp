@@ -55,11 +55,14 @@ std::string textOf(const Shutter& shutter) {
 }
 
 std::string textOf(const FrameRequest& request) {
-    const auto& [width, height, samples, map, seed, frame, shutter, camera, forceDynamic, caches, centres, pose] =
-        request;
-    return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {}, camera {}, {}{}{}pose {}", width,
-                       height, samples, map.text(), seed, frame, textOf(shutter), camera,
-                       forceDynamic ? "force dynamic, " : "", caches ? "" : "no cache, ",
+    const auto& [width, height, samples, map, seed, frame, shutter, looping, camera, forceDynamic, caches, centres,
+                 pose] = request;
+    return fmt::format("{} x {}, {} spp, map {}, seed {}, frame {}, shutter {}, {}camera {}, {}{}{}pose {}", width,
+                       height, samples, map.text(), seed, frame, textOf(shutter),
+                       looping == Looping::Auto ? ""
+                       : looping == Looping::On ? "loop on, "
+                                                : "loop off, ",
+                       camera, forceDynamic ? "force dynamic, " : "", caches ? "" : "no cache, ",
                        centres ? "pixel centres, " : "", textOf(pose));
 }
 
