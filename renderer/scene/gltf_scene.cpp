@@ -305,7 +305,7 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     loadBuffers(model, document, files);
     validate(model);
 
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = std::move(model.notes);
     auto geometries = readGeometries(model, Budget{options.maxTriangles}, notes);
     ClipNames clips;
     NodeMotion motion(model, chooseClip(model, options.clip, clips, notes), notes);
