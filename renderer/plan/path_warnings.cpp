@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -102,6 +103,10 @@ std::string named(const Farthest& farthest, const InnerMotion& inner, const char
 void addThings(const FramePlan& plan, const InnerMotion& inner, std::vector<std::string>& warnings) {
     Farthest bent, jumped;
     std::vector<Apart> points;
+    struct Views {
+        Projector picture, map;
+    };
+    std::map<double, Views> views;  // few instants, many things
     const std::vector<glm::dvec3>&open = plan.mesh->positionsOpen, &close = plan.mesh->positionsClose;
     for (const InnerMotion::Group& group : inner.groups) {
         points.clear();
@@ -113,9 +118,14 @@ void addThings(const FramePlan& plan, const InnerMotion& inner, std::vector<std:
             apart = apart || inner.positions[i] != straight;
         }
         if (!apart) continue;
-        const Projector picture(plan.camera, between(plan.camera.open, plan.camera.close, group.u));
-        const Projector map(plan.light, between(plan.light.open, plan.light.close, group.u));
-        (group.jumped ? jumped : bent).add(distanceIn(picture, points), distanceIn(map, points), group.u, group.thing);
+        auto at = views.find(group.u);
+        if (at == views.end())
+            at = views
+                     .emplace(group.u, Views{{plan.camera, between(plan.camera.open, plan.camera.close, group.u)},
+                                             {plan.light, between(plan.light.open, plan.light.close, group.u)}})
+                     .first;
+        (group.jumped ? jumped : bent)
+            .add(distanceIn(at->second.picture, points), distanceIn(at->second.map, points), group.u, group.thing);
     }
     if (!bent.things.empty()) {
         const double turn = plan.mesh->largestTurnDegrees;

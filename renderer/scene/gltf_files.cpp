@@ -84,8 +84,9 @@ bool hasScheme(std::string_view uri) {
            });
 }
 
-/// Whether a file name is a hash, as caches name what they hold: at least eight hexadecimal digits, maybe after the
-/// name of the hash ("sha256-", "SHA256E-s840--") and before endings. People name no file so.
+/// Whether a file name is a hash, as caches name what they hold: at least eight hexadecimal digits, letters as well as
+/// numerals (a date is none), maybe after the name of the hash ("sha256-", "SHA256E-s840--") and before endings. People
+/// name no file so.
 bool isContentAddress(std::string_view name) {
     name = name.substr(0, name.find('.'));
     const std::size_t dash = name.rfind('-');
@@ -94,7 +95,10 @@ bool isContentAddress(std::string_view name) {
         if (hash != "sha" && hash != "SHA" && hash != "md5" && hash != "MD5") return false;
         name = name.substr(dash + 1);
     }
-    return name.size() >= 8 && std::all_of(name.begin(), name.end(), [](char c) { return hexDigit(c) >= 0; });
+    const auto numerals = std::count_if(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const auto digits = std::count_if(name.begin(), name.end(), [](char c) { return hexDigit(c) >= 0; });
+    const auto length = static_cast<std::ptrdiff_t>(name.size());
+    return length >= 8 && digits == length && numerals > 0 && numerals < length;
 }
 
 }  // namespace

@@ -181,11 +181,12 @@ TEST(FileNames, ColonsAndDotsOfUris) {
 }
 
 TEST(FileNames, LinksToWhatIsNamedByItsContent) {
-    const std::string digits(64, 'a');
+    const std::string digits = "5" + std::string(63, 'a');
     for (const std::string& name : std::vector<std::string>{"0123abcd", digits, "sha256-" + digits, digits + ".bin",
                                                             "SHA256E-s840--" + digits + ".bin"})
         EXPECT_EQ(refusalOf("b.bin", {"blobs/" + name}, {{"model/b.bin", "../blobs/" + name}}), "") << name;
-    for (const std::string name : {"secret", "id_rsa", "0123abc", "0123abcdx", "my-0123abcd", "passwd.0123abcd"})
+    for (const std::string name :
+         {"secret", "id_rsa", "20231129", "20231129.bin", "0123abc", "0123abcdx", "my-0123abcd", "passwd.0123abcd"})
         EXPECT_NE(refusalOf("b.bin", {"blobs/" + name}, {{"model/b.bin", "../blobs/" + name}}), "") << name;
     // A folder that leads outside, whatever the file in it is called; and a link within the folder as ever.
     EXPECT_NE(refusalOf("up/0123abcd", {"blobs/0123abcd"}, {{"model/up", "../blobs"}}), "");
