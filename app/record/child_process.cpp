@@ -143,6 +143,8 @@ void ChildProcess::wait() {
     }
 }
 
+bool ChildProcess::complained() const { return ::lseek(log_, 0, SEEK_END) > 0; }
+
 std::string ChildProcess::said() const {
     std::string text(65536, '\0');
     const ssize_t length = ::pread(output_, text.data(), text.size(), 0);

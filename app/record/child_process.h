@@ -32,6 +32,8 @@ class ChildProcess {
     void kill();
     /// How it ended: "exit code 1" or "signal 9", and the last line that it said.
     std::string lastWords();
+    /// Whether it has written anything to standard error.
+    bool complained() const;
     /// What it has written to standard output, at most 64 KiB of it.
     std::string said() const;
 
