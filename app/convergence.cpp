@@ -96,7 +96,7 @@ std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options,
     FrameRequest request = requestFor(options, *scene);
     // Held still: with a camera that moves within the shutter no pixel would have one true value.
     if (!request.cameraPose)
-        request.cameraPose = scene->camera(request.cameraIndex, request.shutter.openSeconds(request.frame));
+        request.cameraPose = scene->camera(request.cameraIndex, shutterTimes(*scene, request).open);
     const ConvergenceReferences references = measureCurves(renderer, planner, request, options, frames, curves);
     const std::filesystem::path folder(options.output);
     const std::string stem = std::filesystem::path(name).stem().string();

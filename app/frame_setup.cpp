@@ -21,6 +21,7 @@ FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
     request.forceDynamic = options.forceDynamic;
     request.useCaches = !options.noCache;
     request.pixelCentres = options.pixelCentres;
+    request.looping = options.looping;
     request.shutter.framesPerSecond = options.framesPerSecond.value_or(scene.defaults().framesPerSecond);
     request.shutter.length = options.shutterLength.value_or(scene.defaults().shutterLength);
     request.shutter.position = options.shutterPosition;

@@ -15,6 +15,7 @@ namespace timeshade {
 namespace {
 
 constexpr std::array<const char*, 3> positions{"start", "centre", "end"};
+constexpr std::array<const char*, 3> loopings{"auto", "on", "off"};
 constexpr std::array<const char*, 3> responses{"box", "tent", "gaussian"};
 constexpr std::array<const char*, 3> compareModes{"wipe", "side", "difference"};
 
@@ -116,6 +117,7 @@ std::vector<PictureWord> pictureWords(const PictureOptions& options) {
     if (options.frame) add("frame", fmt::format("{}", *options.frame));
     if (options.seconds) add("time", fmt::format("{}", *options.seconds));
     if (options.framesPerSecond) add("fps", fmt::format("{}", *options.framesPerSecond));
+    if (options.looping != defaults.looping) add("loop", loopings[static_cast<std::size_t>(options.looping)]);
     if (options.shutterLength) add("shutter", fmt::format("{}", *options.shutterLength));
     if (options.shutterPosition != defaults.shutterPosition)
         add("shutter-position", positions[static_cast<std::size_t>(options.shutterPosition)]);

@@ -144,6 +144,7 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
         json["warm_up"] = {{"frames_before", technique.warmUpFrames()}, {"times_held", technique.heldFrames()}};
     json["fps"] = request.shutter.framesPerSecond;
     json["shutter"] = request.shutter.length;
+    if (request.looping != Looping::Auto) json["loop"] = request.looping == Looping::On ? "on" : "off";
     if (request.shutter.response == ShutterResponse::Tent) json["shutter_response"] = "tent";
     if (request.shutter.response == ShutterResponse::Gaussian) {
         json["shutter_response"] = "gaussian";

@@ -155,7 +155,7 @@ int runPictures(const PicturesOptions& options) {
         FramePlanner planner(*scene);
         const FrameRequest request = technique->asked(requestFor(options, *scene));
         FrameClock clock(renderer, planner, options.view, options.techniqueView);
-        clock.warmUp(*technique, request);
+        clock.warmUp(*technique, request, steadyFrames);
         const std::vector<ClockedFrame> frames = clock.time(*technique, request, steadyFrames);
         opengl.requireSilence();
         writePng(path, pictureOf(renderer));

@@ -58,6 +58,11 @@ void declareTime(CLI::App& app, FrameOptions& options) {
     app.add_option("--fps", options.framesPerSecond, "frames per second")
         ->check(numberFrom(0.1, 10000.0))
         ->multi_option_policy(lastWins);
+    app.add_option("--loop", options.looping,
+                   "auto, on, off: before its start and after its end a clip repeats (on) or its first and last pose "
+                   "are held (off); auto repeats one whose end joins its start")
+        ->transform(oneOf<Looping>({{"auto", Looping::Auto}, {"on", Looping::On}, {"off", Looping::Off}}))
+        ->multi_option_policy(lastWins);
     app.add_option("--clip", options.clip, "name of one of the file's animations")
         ->check(notEmpty("a clip's name"))
         ->multi_option_policy(lastWins);

@@ -26,6 +26,7 @@ struct FrameOptions {
     std::optional<double> framesPerSecond;  ///< the scene's own where not given
     std::optional<double> shutterLength;    ///< frames; the scene's own where not given
     std::optional<double> instant;          ///< one instant of the shutter, u in [0, 1], instead of all of it
+    Looping looping = Looping::Auto;
     ShutterPosition shutterPosition = ShutterPosition::Start;
     ShutterResponse shutterResponse = ShutterResponse::Box;
     std::optional<double> shutterWidth;          ///< of the Gaussian alone; Shutter's own where not given

@@ -4,16 +4,20 @@
 
 #include "core/error.h"
 #include "options/command_parts.h"
+#include "record/video_container.h"
 
 namespace timeshade {
 
 namespace {
 
 void declareVideo(CLI::App& record, RecordOptions& options) {
-    record.add_option("-o,--output", options.output, "F.mp4, or a folder for 0000.png, 0001.png, ...")->required();
+    record
+        .add_option("-o,--output", options.output,
+                    "F.mp4, .mov, .mkv, .webm or .gif, or a folder for 0000.png, 0001.png, ...")
+        ->required();
     record.add_option("--frames", options.frames, "number of frames (default: one turn of the scene's motion)")
         ->check(numberFrom(1, 1000000));
-    record.add_option("--codec", options.codec, "h264, hevc, av1")
+    record.add_option("--codec", options.codec, "h264, hevc, av1 (default: h264, in .webm av1)")
         ->transform(
             oneOf<VideoCodec>({{"h264", VideoCodec::H264}, {"hevc", VideoCodec::Hevc}, {"av1", VideoCodec::Av1}}));
     record.add_option("--quality", options.quality, "0 to 51, less is better and larger (the encoder's CRF)")
@@ -44,6 +48,7 @@ void addRecordCommand(CLI::App& app, Command& command) {
     whenRead(*record, command, reading, [scene](CommandReading<RecordOptions>& read) {
         if (scene->count() == 0 && read.options.script.empty())
             throw UsageError("record: no scene given; expected one, or --script F.json, or --demo");
+        if (const auto container = containerOf(read.options.output)) codecIn(*container, read.options.codec);
         checkDrawing(read, {.comparisons = true, .techniqueViews = true}, read.options.output);
     });
 }

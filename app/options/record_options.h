@@ -12,9 +12,9 @@ namespace timeshade {
 
 /// `timeshade record`: a video, or a folder of pictures.
 struct RecordOptions : PictureOptions, RunOptions {
-    std::string output;         ///< F.mp4 or a folder
-    std::optional<int> frames;  ///< one turn of the scene's motion where not given
-    VideoCodec codec = VideoCodec::H264;
+    std::string output;                  ///< a video, by its ending (containerOf()), or a folder
+    std::optional<int> frames;           ///< one turn of the scene's motion where not given
+    std::optional<VideoCodec> codec;     ///< the container's usual one where not given
     int quality = 18;                    ///< the encoder's constant rate factor, less is better
     std::string script;                  ///< JSON file of the parts to draw; empty for the options' own scene
     std::vector<std::string> arguments;  ///< what was parsed, "record" first; settings files replaced by what they say

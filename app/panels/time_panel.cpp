@@ -47,6 +47,13 @@ void drawPart(Session& session, Widgets& widgets) {
     const bool to = widgets.slider("loop.last", "Loop to", last, frame);
     if (from) playback.setPart(first, std::max(first, last));
     if (to) playback.setPart(std::min(first, last), last);
+    FrameRequest& request = session.moment.request;
+    const auto looping = widgets.combo(
+        "loop", "Beyond the clip", {"Automatic", "Repeat", "Hold"}, static_cast<std::size_t>(request.looping),
+        "What a shutter sees that opens before the clip's start or closes after its end: the clip repeats, or its "
+        "first and last pose are held. Automatic repeats a clip whose end joins its start.",
+        {"auto", "on", "off"});
+    if (looping) request.looping = static_cast<Looping>(*looping);
 }
 
 void drawRecording(Session& session, Widgets& widgets) {

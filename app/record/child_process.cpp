@@ -56,10 +56,10 @@ class SpawnAttributes {
 /// Which of our descriptors become the child's. All others are closed, those that libraries have opened included.
 class SpawnActions {
   public:
-    SpawnActions(int input, int log, int handed) {
+    SpawnActions(int input, int output, int log, int handed) {
         posix_spawn_file_actions_init(&actions_);
         posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
-        posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&actions_, log, STDERR_FILENO);
         posix_spawn_file_actions_adddup2(&actions_, handed, ChildProcess::handedDescriptor);
         posix_spawn_file_actions_addclosefrom_np(&actions_, ChildProcess::handedDescriptor + 1);
@@ -84,22 +84,25 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, int handed) 
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) failStarting(command.front(), errno);
     input_ = ends[0];
+    output_ = ::memfd_create("child's standard output", MFD_CLOEXEC);
     log_ = ::memfd_create("child's standard error", MFD_CLOEXEC);
-    const SpawnActions actions(ends[1], log_, handed);
+    const SpawnActions actions(ends[1], output_, log_, handed);
     const SpawnAttributes attributes;
-    const int failure =
-        log_ < 0 ? errno
-                 : ::posix_spawnp(&id_, arguments.front(), actions.get(), attributes.get(), arguments.data(), environ);
+    const int failure = log_ < 0 || output_ < 0 ? errno
+                                                : ::posix_spawnp(&id_, arguments.front(), actions.get(),
+                                                                 attributes.get(), arguments.data(), environ);
     ::close(ends[1]);
     if (failure == 0) return;
     id_ = -1;
     closeInput();
+    if (output_ >= 0) ::close(output_);
     if (log_ >= 0) ::close(log_);
     failStarting(command.front(), failure);
 }
 
 ChildProcess::~ChildProcess() {
     kill();
+    ::close(output_);
     ::close(log_);
 }
 
@@ -138,6 +141,15 @@ void ChildProcess::wait() {
         }
         id_ = -1;
     }
+}
+
+bool ChildProcess::complained() const { return ::lseek(log_, 0, SEEK_END) > 0; }
+
+std::string ChildProcess::said() const {
+    std::string text(65536, '\0');
+    const ssize_t length = ::pread(output_, text.data(), text.size(), 0);
+    text.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
+    return text;
 }
 
 std::string ChildProcess::lastWords() {

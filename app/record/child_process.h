@@ -8,8 +8,9 @@
 
 namespace timeshade {
 
-/// Another program that is fed through its standard input; what it says on standard error is kept. It is in a process
-/// group of its own, so that Ctrl-C reaches it only through us. When this process dies, its input ends.
+/// Another program that is fed through its standard input; what it writes to standard output and standard error is
+/// kept. It is in a process group of its own, so that Ctrl-C reaches it only through us. When this process dies, its
+/// input ends.
 class ChildProcess {
   public:
     /// The number under which the child has the descriptor that it is handed.
@@ -31,6 +32,10 @@ class ChildProcess {
     void kill();
     /// How it ended: "exit code 1" or "signal 9", and the last line that it said.
     std::string lastWords();
+    /// Whether it has written anything to standard error.
+    bool complained() const;
+    /// What it has written to standard output, at most 64 KiB of it.
+    std::string said() const;
 
   private:
     void closeInput();
@@ -39,6 +44,7 @@ class ChildProcess {
 
     pid_t id_ = -1;  ///< -1 once it has been waited for
     int input_ = -1;
+    int output_ = -1;
     int log_ = -1;
     int status_ = 0;
 };

@@ -40,7 +40,7 @@ FrameRequest PartPainter::requestNow() const {
     FrameRequest request = first_;
     request.frame += done_ * part_.step;
     if (cameraTo_) {
-        const double seconds = request.shutter.openSeconds(request.frame);
+        const double seconds = shutterTimes(scene_, request).open;
         const double share = frames_ > 1 ? static_cast<double>(done_) / (frames_ - 1) : 0.0;
         request.cameraPose =
             between(scene_.camera(request.cameraIndex, seconds), scene_.camera(*cameraTo_, seconds), eased(share));

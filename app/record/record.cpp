@@ -51,12 +51,14 @@ std::vector<ReadyPart> readyParts(const std::vector<ScriptPart>& parts, FrameRen
 
 /// `drawn` is the first part's; all are of its size.
 std::unique_ptr<FrameSink> sinkFor(const RecordOptions& options, const FrameOptions& drawn, double framesPerSecond) {
-    if (!options.output.ends_with(".mp4")) return std::make_unique<PictureFolder>(options.output);
+    const std::optional<VideoContainer> container = containerOf(options.output);
+    if (!container) return std::make_unique<PictureFolder>(options.output);
     VideoFormat format;
+    format.container = *container;
     format.width = drawn.width;
     format.height = drawn.height;
     format.framesPerSecond = framesPerSecond;
-    format.codec = options.codec;
+    format.codec = codecIn(*container, options.codec);
     format.quality = options.quality;
     return std::make_unique<VideoFile>(options.output, format);
 }

@@ -5,9 +5,9 @@
 namespace timeshade {
 
 CameraPose CameraControl::pose(const Scene& scene, const Moment& moment) const {
-    const FrameRequest& request = moment.request;
-    return orbit ? orbit->pose()
-                 : scene.camera(request.cameraIndex, request.shutter.openSeconds(moment.playback.frame()));
+    FrameRequest request = moment.request;
+    request.frame = moment.playback.frame();
+    return orbit ? orbit->pose() : scene.camera(request.cameraIndex, shutterTimes(scene, request).open);
 }
 
 OrbitCamera& CameraControl::take(const Scene& scene, const Moment& moment) {

@@ -4,9 +4,14 @@ namespace timeshade {
 
 std::vector<double> momentKeyOf(const FrameRequest& request) {
     const Shutter& shutter = request.shutter;
-    std::vector<double> key{
-        request.frame, shutter.framesPerSecond,    shutter.length, double(shutter.position), double(shutter.response),
-        shutter.width, double(request.cameraIndex)};
+    std::vector<double> key{request.frame,
+                            shutter.framesPerSecond,
+                            shutter.length,
+                            double(shutter.position),
+                            double(shutter.response),
+                            shutter.width,
+                            double(request.looping),
+                            double(request.cameraIndex)};
     if (!request.cameraPose) return key;
     const CameraPose& pose = *request.cameraPose;
     const auto append = [&](const glm::dvec3& v) { key.insert(key.end(), {v.x, v.y, v.z}); };

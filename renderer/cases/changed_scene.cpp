@@ -20,19 +20,37 @@ void ChangedScene::reverse(double openSeconds, double closeSeconds) {
     mirror_ = openSeconds + closeSeconds;
 }
 
-CameraPose ChangedScene::camera(std::size_t index, double seconds) const {
-    CameraPose pose = scene_->camera(index, reversed_ ? mirror_ - seconds : seconds);
+CameraPose ChangedScene::moved(CameraPose pose) const {
     pose.eye = moved(pose.eye);
     pose.axes = world_.rotation * pose.axes;
     pose.nearDistance *= world_.scale;
     return pose;
 }
 
-LightPose ChangedScene::light(double seconds) const {
-    LightPose pose = scene_->light(reversed_ ? mirror_ - seconds : seconds);
+LightPose ChangedScene::moved(LightPose pose) const {
     pose.position = moved(pose.position);
     pose.axes = world_.rotation * pose.axes;
     return pose;
+}
+
+CameraPose ChangedScene::camera(std::size_t index, double seconds) const {
+    return moved(scene_->camera(index, reversed_ ? mirror_ - seconds : seconds));
+}
+
+LightPose ChangedScene::light(double seconds) const {
+    return moved(scene_->light(reversed_ ? mirror_ - seconds : seconds));
+}
+
+ShutterEnds<CameraPose> ChangedScene::cameraEnds(std::size_t index, double openSeconds, double closeSeconds) const {
+    const auto ends = reversed_ ? scene_->cameraEnds(index, mirror_ - closeSeconds, mirror_ - openSeconds)
+                                : scene_->cameraEnds(index, openSeconds, closeSeconds);
+    return {moved(reversed_ ? ends.close : ends.open), moved(reversed_ ? ends.open : ends.close)};
+}
+
+ShutterEnds<LightPose> ChangedScene::lightEnds(double openSeconds, double closeSeconds) const {
+    const auto ends = reversed_ ? scene_->lightEnds(mirror_ - closeSeconds, mirror_ - openSeconds)
+                                : scene_->lightEnds(openSeconds, closeSeconds);
+    return {moved(reversed_ ? ends.close : ends.open), moved(reversed_ ? ends.open : ends.close)};
 }
 
 MotionMesh ChangedScene::motionMesh(double openSeconds, double closeSeconds) const {
@@ -47,10 +65,6 @@ MotionMesh ChangedScene::motionMesh(double openSeconds, double closeSeconds) con
     for (auto* normals : {&mesh.normalsOpen, &mesh.normalsClose})
         for (glm::vec3& normal : *normals) normal = glm::vec3(world_.rotation * glm::dvec3(normal));
     return meshChange_ ? meshChange_(std::move(mesh)) : mesh;
-}
-
-double ChangedScene::heldCloseSeconds(double openSeconds, double closeSeconds) const {
-    return reversed_ ? closeSeconds : scene_->heldCloseSeconds(openSeconds, closeSeconds);
 }
 
 MotionMesh withCornersTurned(MotionMesh mesh) {

@@ -33,11 +33,15 @@ class ChangedScene final : public Scene {
     CameraPose camera(std::size_t index, double seconds) const override;
     LightPose light(double seconds) const override;
     MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
-    double heldCloseSeconds(double openSeconds, double closeSeconds) const override;
+    bool loops() const override { return scene_->loops(); }
+    ShutterEnds<CameraPose> cameraEnds(std::size_t index, double openSeconds, double closeSeconds) const override;
+    ShutterEnds<LightPose> lightEnds(double openSeconds, double closeSeconds) const override;
     const Bounds& bounds() const override { return bounds_; }
     const std::vector<std::string>& notes() const override { return scene_->notes(); }
 
   private:
+    CameraPose moved(CameraPose pose) const;
+    LightPose moved(LightPose pose) const;
     glm::dvec3 moved(const glm::dvec3& point) const { return world_.offset + world_.scale * (world_.rotation * point); }
 
     std::shared_ptr<const Scene> scene_;

@@ -100,7 +100,7 @@ std::vector<bool> nonTranslatingInstances(const FramePlan& plan) {
 
 std::vector<EffectRow> measureEffects(const Scene& scene, const FrameRequest& request, const EffectOptions& options) {
     const FramePlan asItIs = FramePlanner(scene).plan(request);
-    const double seconds = request.shutter.openSeconds(request.frame);
+    const double seconds = shutterTimes(scene, request).open;
     std::vector<std::unique_ptr<Player>> players;
     const auto add = [&](const char* effect, const std::string& technique, Held held, const FrameRequest& played) {
         players.push_back(std::make_unique<Player>(

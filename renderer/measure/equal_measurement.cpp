@@ -125,7 +125,7 @@ class SceneMeasurement {
         for (Subject& other : others) subjects.push_back(&other);
         for (Subject* subject : subjects)
             if (!subject->warm) {
-                clock_.warmUp(*subject->technique, subject->request);
+                clock_.warmUp(*subject->technique, subject->request, options_.steadyFrames);
                 subject->warm = true;
             }
         std::vector<std::vector<double>> frames(subjects.size());

@@ -36,8 +36,9 @@ class FrameClock {
     FrameClock(FrameRenderer& renderer, FramePlanner& planner, View view, std::string techniqueView = {})
         : renderer_(renderer), planner_(planner), view_(view), techniqueView_(std::move(techniqueView)) {}
 
-    /// To be called once for every technique, size and sample count, before its first frame is timed: compiles.
-    void warmUp(Technique& technique, const FrameRequest& request);
+    /// To be called once for every technique, size and sample count, before its first frame is timed: compiles. Draws
+    /// the very frames that time() will draw, since a driver compiles for states that other frames need not have.
+    void warmUp(Technique& technique, const FrameRequest& request, int steadyFrames);
 
     /// Times the requested frame with nothing cached (Cold), then the frame before the steady ones (Filling), then
     /// `steadyFrames` frames of which the requested one is the last (Steady). A technique with a history is warmed up

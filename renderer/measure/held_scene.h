@@ -31,8 +31,14 @@ class HeldScene final : public Scene {
     }
     LightPose light(double seconds) const override { return scene_.light(held_.light ? seconds_ : seconds); }
     MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
-    double heldCloseSeconds(double openSeconds, double closeSeconds) const override {
-        return scene_.heldCloseSeconds(openSeconds, closeSeconds);
+    bool loops() const override { return scene_.loops(); }
+    ShutterEnds<CameraPose> cameraEnds(std::size_t index, double openSeconds, double closeSeconds) const override {
+        if (held_.camera) return {scene_.camera(index, seconds_), scene_.camera(index, seconds_)};
+        return scene_.cameraEnds(index, openSeconds, closeSeconds);
+    }
+    ShutterEnds<LightPose> lightEnds(double openSeconds, double closeSeconds) const override {
+        if (held_.light) return {scene_.light(seconds_), scene_.light(seconds_)};
+        return scene_.lightEnds(openSeconds, closeSeconds);
     }
     const Bounds& bounds() const override { return scene_.bounds(); }
     const std::vector<std::string>& notes() const override { return scene_.notes(); }

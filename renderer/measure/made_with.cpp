@@ -55,12 +55,13 @@ std::string textOf(const Shutter& shutter) {
 }
 
 std::string textOf(const FrameRequest& request) {
-    const auto& [width, height, source, samples, timeStrata, map, seed, frame, shutter, camera, forceDynamic, caches,
-                 centres, pose] = request;
+    const auto& [width, height, source, samples, timeStrata, map, seed, frame, shutter, looping, camera, forceDynamic,
+                 caches, centres, pose] = request;
     const std::string intervals =
         source == CameraSamples::Intervals ? fmt::format("intervals in {} strata, ", timeStrata) : "";
-    return fmt::format("{} x {}, {}{} spp, map {}, seed {}, frame {}, shutter {}, camera {}, {}{}{}pose {}", width,
-                       height, intervals, samples, map.text(), seed, frame, textOf(shutter), camera,
+    const std::string loop = looping == Looping::Auto ? "" : looping == Looping::On ? "loop on, " : "loop off, ";
+    return fmt::format("{} x {}, {}{} spp, map {}, seed {}, frame {}, shutter {}, {}camera {}, {}{}{}pose {}", width,
+                       height, intervals, samples, map.text(), seed, frame, textOf(shutter), loop, camera,
                        forceDynamic ? "force dynamic, " : "", caches ? "" : "no cache, ",
                        centres ? "pixel centres, " : "", textOf(pose));
 }

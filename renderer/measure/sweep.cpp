@@ -135,7 +135,7 @@ class SceneSweep {
             timeEmbree(planner_.plan(request), steps);
             add(subject, FrameState::Cold, steps);
         } else {
-            if (round == 0) clock_.warmUp(*subject.technique, request);
+            if (round == 0) clock_.warmUp(*subject.technique, request, std::max(1, options_.sequence));
             for (const ClockedFrame& frame : clock_.time(*subject.technique, request, std::max(1, options_.sequence)))
                 add(subject, frame.state, stepsOf(frame.readings));
         }

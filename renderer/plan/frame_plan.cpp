@@ -9,33 +9,21 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "plan/mesh_texels.h"
+#include "plan/path_warnings.h"
 #include "shared/shutter_response.shared.h"
 
 namespace timeshade {
 
 namespace {
 
-/// A linear vertex path shrinks a turning object by cos(angle / 2) half-way: 0.9 % at this angle.
-constexpr double turnWarningDegrees = 15.0;
-
-ViewEnd cameraEnd(const CameraPose& pose, const glm::dvec3& origin, double aspect) {
-    const double height = 2.0 * std::tan(0.5 * pose.verticalFieldOfView);
-    ViewEnd end;
-    end.eye = pose.eye - origin;
-    end.right = pose.axes[0] * (height * aspect);
-    end.up = pose.axes[1] * height;
-    end.corner = -pose.axes[2] - 0.5 * end.right - 0.5 * end.up;
-    return end;
-}
-
 ViewPlan planCamera(const Scene& scene, const FrameRequest& request, const glm::dvec3& origin, double open,
                     double close) {
-    const CameraPose first = request.cameraPose ? *request.cameraPose : scene.camera(request.cameraIndex, open);
-    const CameraPose last = request.cameraPose ? first : scene.camera(request.cameraIndex, close);
+    const auto [first, last] = request.cameraPose ? ShutterEnds<CameraPose>{*request.cameraPose, *request.cameraPose}
+                                                  : scene.cameraEnds(request.cameraIndex, open, close);
     const double aspect = static_cast<double>(request.width) / request.height;
     ViewPlan view;
-    view.open = cameraEnd(first, origin, aspect);
-    view.close = cameraEnd(last, origin, aspect);
+    view.open = viewEndOf(first, origin, aspect);
+    view.close = viewEndOf(last, origin, aspect);
     finishView(view, {request.width, request.height}, first.nearDistance, 0.0);
     return view;
 }
@@ -282,6 +270,12 @@ std::string motionWords(const MotionSummary& motion) {
 
 }  // namespace
 
+ShutterTimes shutterTimes(const Scene& scene, const FrameRequest& request) {
+    const Shutter& shutter = request.shutter;
+    return loopedTimes(scene, request.looping,
+                       {shutter.openSeconds(request.frame), shutter.closeSeconds(request.frame)});
+}
+
 FramePlanner::FramePlanner(const Scene& scene)
     : scene_(scene),
       origin_(scene.bounds().centre()),
@@ -296,15 +290,15 @@ void FramePlanner::deform(double openSeconds, double closeSeconds) {
     for (const auto* positions : {&mesh_->positionsOpen, &mesh_->positionsClose})
         for (const glm::dvec3& position : *positions) extent_.add(position - origin_);
     movingTriangles_ = countMovingTriangles(*mesh_);
+    inner_ = scene_.innerMotion(openSeconds, closeSeconds);
     openSeconds_ = openSeconds;
     closeSeconds_ = closeSeconds;
 }
 
 FramePlan FramePlanner::plan(const FrameRequest& request) {
     checkRequest(request);
-    const double open = request.shutter.openSeconds(request.frame);
-    deform(open, request.shutter.closeSeconds(request.frame));
-    const double close = scene_.heldCloseSeconds(open, request.shutter.closeSeconds(request.frame));
+    const auto [open, close] = shutterTimes(scene_, request);
+    deform(open, close);
 
     FramePlan plan;
     plan.request = request;
@@ -314,8 +308,9 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
     plan.extent = extent_;
     plan.materials = &scene_.materials();
     plan.images = &scene_.images();
-    plan.lightOpen = scene_.light(open);
-    plan.lightClose = scene_.light(close);
+    const ShutterEnds<LightPose> light = scene_.lightEnds(open, close);
+    plan.lightOpen = light.open;
+    plan.lightClose = light.close;
     const LightPose middle = scene_.light(0.5 * (open + close));
     // Rounding, or a spot that rolls about its axis, is no turn.
     if (glm::length(plan.lightOpen.axes[2] - plan.lightClose.axes[2]) < 1e-9)
@@ -349,12 +344,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
          fmt::format("{}; {} triangles face away throughout, {} are never in the picture", motionWords(plan.motion),
                      plan.camera.facingAwayTriangles, plan.camera.outsideTriangles),
          seen});
-    if (plan.motion.largestTurnDegrees > turnWarningDegrees)
-        plan.warnings.push_back(fmt::format(
-            "something turns by {:.0f} degrees in this shutter; vertices move on straight lines, which "
-            "shrinks it by {:.1f} % half-way (at most {:.0f} degrees keep that under 0.9 %)",
-            plan.motion.largestTurnDegrees,
-            100.0 * (1.0 - std::cos(glm::radians(0.5 * plan.motion.largestTurnDegrees))), turnWarningDegrees));
+    plan.warnings = pathWarnings(scene_, plan, inner_, {open, close});
     if (const std::optional<std::string> bent = bentPathWarning(plan)) plan.warnings.push_back(*bent);
     return plan;
 }

@@ -97,6 +97,7 @@ class FramePlanner {
     std::shared_ptr<const MeshTexels> texels_;
     Bounds extent_;
     std::size_t movingTriangles_ = 0;
+    InnerMotion inner_;
     MotionClassifier memory_;
 };
 

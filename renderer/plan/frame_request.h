@@ -5,6 +5,7 @@
 
 #include "plan/map_size.h"
 #include "scene/camera.h"
+#include "scene/looping.h"
 #include "scene/shutter.h"
 
 namespace timeshade {
@@ -27,6 +28,7 @@ struct FrameRequest {
     std::uint32_t seed = 1;
     double frame = 0.0;  ///< number of the frame; whole numbers unless scrubbing
     Shutter shutter;
+    Looping looping = Looping::Auto;
     std::size_t cameraIndex = 0;
     bool forceDynamic = false;  ///< treat every triangle as dynamic, cull no unseen shadow, cache nothing
     bool useCaches = true;      ///< false: draw static parts again in every frame
@@ -34,6 +36,9 @@ struct FrameRequest {
         false;  ///< camera samples lie at pixel centres, not at one random place of the pixel each; their times stay
     std::optional<CameraPose> cameraPose;  ///< replaces the scene's camera; static during the shutter
 };
+
+/// The times at which the scene is evaluated for the request's frame.
+ShutterTimes shutterTimes(const Scene& scene, const FrameRequest& request);
 
 inline constexpr int maximumSamplesPerPixel = 32;
 inline constexpr int maximumImageSide = 16384;

@@ -1,6 +1,7 @@
 #include "plan/view_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace timeshade {
 
@@ -16,6 +17,16 @@ glm::mat4 viewMatrix(const glm::dmat3& viewFromWorld, const glm::dvec3& eye) {
 }
 
 }  // namespace
+
+ViewEnd viewEndOf(const CameraPose& pose, const glm::dvec3& origin, double aspect) {
+    const double height = 2.0 * std::tan(0.5 * pose.verticalFieldOfView);
+    ViewEnd end;
+    end.eye = pose.eye - origin;
+    end.right = pose.axes[0] * (height * aspect);
+    end.up = pose.axes[1] * height;
+    end.corner = -pose.axes[2] - 0.5 * end.right - 0.5 * end.up;
+    return end;
+}
 
 void finishView(ViewPlan& view, glm::dvec2 size, double nearDistance, double farDistance) {
     shared::ViewBlock& block = view.block;

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include "scene/camera.h"
 #include "shared/frame_blocks.shared.h"
 
 namespace timeshade {
@@ -50,6 +51,9 @@ struct ViewPlan {
 /// Largest point size, in pixels. GL guarantees only 1, but all known drivers support this; larger triangles are drawn
 /// as rectangles.
 inline constexpr int maximumPointSide = 63;
+
+/// A camera as one end of a view; eye relative to the origin. aspect: the image's width over its height.
+ViewEnd viewEndOf(const CameraPose& pose, const glm::dvec3& origin, double aspect);
 
 /// Fills the view's block from its ends. size: pixels; near and far distance: world units; far is used by orthographic
 /// views only.

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "scene/gltf_accessors.h"
+#include "scene/key_time.h"
 
 namespace timeshade::gltf {
 
@@ -113,7 +114,9 @@ bool Track::holds(std::size_t key) const {
            (std::all_of(from + width, from + 2 * width, zero) && std::all_of(from + 2 * width, from + 3 * width, zero));
 }
 
-void Track::sample(double seconds, double* out) const {
+void Track::sample(const ClipInstant& instant, double* out) const {
+    const bool steps = interpolation == Interpolation::Step;
+    const double seconds = steps ? instant.steps + keyTimeSlack(instant.steps) : instant.seconds;
     const bool cubic = interpolation == Interpolation::CubicSpline;
     const std::size_t perKey = cubic ? 3 * width : width;
     const float* keys = values->data() + (cubic ? width : 0);  // a spline key has in-tangent, value, out-tangent
@@ -122,7 +125,7 @@ void Track::sample(double seconds, double* out) const {
     const std::size_t before = after == 0 ? 0 : after - 1;
     const float* from = keys + before * perKey;
 
-    if (after == 0 || after == times->size() || interpolation == Interpolation::Step || holds(before)) {
+    if (after == 0 || after == times->size() || steps || holds(before)) {
         std::copy(from, from + width, out);
     } else {
         const float* to = from + perKey;

@@ -11,6 +11,13 @@
 
 namespace timeshade::gltf {
 
+/// A moment of a clip. In a shutter, `steps` is its middle at all of its instants, so that nothing jumps inside it.
+struct ClipInstant {
+    double seconds = 0.0;  ///< at which continuous tracks are read
+    double steps = 0.0;    ///< at which tracks of STEP keys are read
+    static ClipInstant of(double seconds) { return {seconds, seconds}; }
+};
+
 /// One animated property of a node: values at keys, and the interpolation between them.
 struct Track {
     int node = -1;
@@ -21,7 +28,8 @@ struct Track {
     std::shared_ptr<const std::vector<float>> values;  ///< width per key; a spline has in-tangent, value, out-tangent
 
     /// The value at the given time, constant before the first and after the last key. Rotations (x, y, z, w) are unit.
-    void sample(double seconds, double* out) const;
+    /// A STEP key counts from keyTimeSlack() before its time.
+    void sample(const ClipInstant& instant, double* out) const;
 
   private:
     /// Whether the value is equal at this key and the next. It is then copied instead of interpolated: a static object

@@ -2,21 +2,19 @@
 
 namespace timeshade {
 
-/// Maps any time to the time of a clip that repeats.
+/// Maps any time to the time of a clip that repeats, or that is held at both of its ends.
 class ClipClock {
   public:
     /// loops: the clip's end joins its start without a jump.
     ClipClock(double duration, bool loops) : duration_(duration), loops_(loops) {}
 
-    /// Clip time in [0, duration); 0 if the duration is 0.
-    double wrapped(double seconds) const;
+    bool loops() const { return loops_; }
 
-    /// Clip time at a share (0 to 1) of a shutter; openSeconds <= closeSeconds. A shutter that passes the end of the
-    /// clip continues at its start if the clip loops, and is clamped to its end otherwise.
+    /// Clip time: in [0, duration) if the clip loops, clamped to [0, duration] otherwise. 0 if the duration is 0.
+    double clipTime(double seconds) const;
+
+    /// Clip time at a share (0 to 1) of a shutter; openSeconds <= closeSeconds.
     double during(double openSeconds, double closeSeconds, double share) const;
-
-    /// closeSeconds, clamped to the end of the repetition that openSeconds is in (see Scene::heldCloseSeconds).
-    double heldClose(double openSeconds, double closeSeconds) const;
 
   private:
     double duration_;

@@ -23,6 +23,7 @@ struct Instance {
     int skin = -1;  ///< index of the scene's SkinBinding; -1: rigid
     std::size_t firstVertex = 0;
     bool moves = false;
+    bool mirrored = false;  ///< in the rest pose
 };
 
 /// worldFromMesh for every joint of a binding, for blending.

@@ -1,26 +1,22 @@
 #include "scene/gltf_document.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <span>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/error.h"
 #include "core/json_limits.h"
 #include "core/one_line.h"
+#include "scene/gltf_extensions.h"
 
 namespace timeshade::gltf {
 
 namespace {
 
 constexpr std::size_t maxJsonBytes = std::size_t{256} << 20;
-
-/// Extensions allowed in extensionsRequired: those that are read, and those that change only the look.
-constexpr std::array supportedExtensions{"KHR_lights_punctual", "KHR_materials_unlit", "KHR_mesh_quantization"};
 
 std::uint32_t littleEndian32(std::span<const std::uint8_t> bytes, std::size_t offset) {
     return static_cast<std::uint32_t>(bytes[offset]) | static_cast<std::uint32_t>(bytes[offset + 1]) << 8 |
@@ -82,19 +78,6 @@ nlohmann::json parseJson(std::span<const std::uint8_t> bytes) {
     }
 }
 
-void refuseUnsupportedExtensions(const nlohmann::json& root) {
-    const auto required = root.find("extensionsRequired");
-    if (required == root.end()) return;
-    if (!required->is_array()) throw Error("extensionsRequired is not a list");
-    for (const nlohmann::json& name : *required) {
-        if (!name.is_string()) throw Error("extensionsRequired holds something that is not a name");
-        const auto text = name.get<std::string>();
-        if (std::find(supportedExtensions.begin(), supportedExtensions.end(), text) == supportedExtensions.end())
-            throw Error(fmt::format("needs the glTF extension {}, which is not supported (supported: {})",
-                                    oneLine(text), fmt::join(supportedExtensions, ", ")));
-    }
-}
-
 void refuseOtherVersions(const nlohmann::json& root) {
     const auto asset = root.find("asset");
     if (asset == root.end() || !asset->is_object()) throw Error("is not glTF: it has no \"asset\"");
@@ -116,6 +99,7 @@ Document parseDocument(Bytes bytes) {
     refuseUnsupportedExtensions(document.json);
     refuseOtherVersions(document.json);
     checkStructure(document.json);
+    refuseCompressedGeometry(document.json);
     if (chunks.hasBinary)
         document.binaryChunk = std::make_shared<const Bytes>(chunks.binary.begin(), chunks.binary.end());
     return document;

@@ -73,6 +73,34 @@ bool inside(const fs::path& folder, const fs::path& file) {
     return rest == folder.end();
 }
 
+/// RFC 3986: a letter, then letters, digits, plus, hyphen and full stop up to a colon, which precedes any slash. Tested
+/// before percent-decoding: an encoded colon belongs to a name.
+bool hasScheme(std::string_view uri) {
+    const std::size_t colon = uri.find_first_of(":/?#");
+    if (colon == std::string_view::npos || uri[colon] != ':' || colon == 0) return false;
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return letter(uri[0]) && std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon), [&](char c) {
+               return letter(c) || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+           });
+}
+
+/// Whether a file name is a hash, as caches name what they hold: at least eight hexadecimal digits, letters as well as
+/// numerals (a date is none), maybe after the name of the hash ("sha256-", "SHA256E-s840--") and before endings. People
+/// name no file so.
+bool isContentAddress(std::string_view name) {
+    name = name.substr(0, name.find('.'));
+    const std::size_t dash = name.rfind('-');
+    if (dash != std::string_view::npos) {
+        const std::string_view hash = name.substr(0, 3);
+        if (hash != "sha" && hash != "SHA" && hash != "md5" && hash != "MD5") return false;
+        name = name.substr(dash + 1);
+    }
+    const auto numerals = std::count_if(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const auto digits = std::count_if(name.begin(), name.end(), [](char c) { return hexDigit(c) >= 0; });
+    const auto length = static_cast<std::ptrdiff_t>(name.size());
+    return length >= 8 && digits == length && numerals > 0 && numerals < length;
+}
+
 }  // namespace
 
 Bytes readRegularFile(const fs::path& path, std::size_t limit) {
@@ -95,10 +123,9 @@ Bytes readRegularFile(const fs::path& path, std::size_t limit) {
 
 fs::path FilesBeside::resolve(const std::string& uri) const {
     const std::string text = percentDecoded(uri);
-    const fs::path relative(text);
-    const bool hasScheme = text.find(':') != std::string::npos;
-    const bool climbs = std::find(relative.begin(), relative.end(), fs::path("..")) != relative.end();
-    if (text.empty() || hasScheme || climbs || relative.is_absolute() ||
+    // Dot segments are resolved as text, before any link is followed.
+    const fs::path relative = fs::path(text).lexically_normal();
+    if (text.empty() || hasScheme(uri) || relative.is_absolute() || *relative.begin() == ".." ||
         text.find_first_of(std::string_view("\\\0", 2)) != std::string::npos)
         throw Error("only files inside the model's folder may be referred to");
 
@@ -107,8 +134,12 @@ fs::path FilesBeside::resolve(const std::string& uri) const {
     if (failure) throw Error("the model's folder cannot be read: " + failure.message());
     const fs::path file = fs::canonical(folder / relative, failure);
     if (failure) throw Error("there is no such file");
-    if (!inside(folder, file)) throw Error("only files inside the model's folder may be referred to");
-    return file;
+    if (inside(folder, file)) return file;
+    // A file that is itself a link, in a folder that is none.
+    const fs::path parent = fs::canonical((folder / relative).parent_path(), failure);
+    if (!failure && inside(folder, parent) && isContentAddress(file.filename().string())) return file;
+    throw Error(
+        "only files inside the model's folder may be referred to, and links to files that are named by their content");
 }
 
 std::shared_ptr<const Bytes> FilesBeside::read(const std::string& uri) {

@@ -17,7 +17,8 @@ using Bytes = std::vector<std::uint8_t>;
 /// bytes.
 Bytes readRegularFile(const std::filesystem::path& path, std::size_t limit);
 
-/// The files that a model may refer to: data URIs, and regular files inside the model's own folder. Each file is read
+/// The files that a model may refer to: data URIs, and regular files inside the model's own folder. A file there may be
+/// a link to one elsewhere whose name is a hash, as caches of downloads have them; a folder may not. Each file is read
 /// once, however often it is named, so that memory is bounded by the files' sizes.
 class FilesBeside {
   public:

@@ -1,6 +1,7 @@
 #include "scene/gltf_images.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <span>
@@ -77,6 +78,18 @@ class ImageShelf {
     int noSource_ = 0;
 };
 
+/// The mean of an sRGB image's colour, linear.
+glm::vec3 meanColour(const Image& image) {
+    const auto linear = [](std::uint8_t byte) {
+        const double c = byte / 255.0;
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
+        sum += glm::dvec3(linear(image.rgba[i]), linear(image.rgba[i + 1]), linear(image.rgba[i + 2]));
+    return glm::vec3(sum / std::max(1.0, static_cast<double>(image.rgba.size() / 4)));
+}
+
 }  // namespace
 
 Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes) {
@@ -84,10 +97,18 @@ Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>
     Looks looks;
     std::size_t otherCoordinates = 0;
     std::size_t transparent = 0;
+    std::size_t shining = 0;
     for (const MaterialSource& source : model.materials) {
         looks.materials.push_back(source.material);
         looks.materials.back().baseColorImage = shelf.indexOf(source.baseColorTexture);
         looks.materials.back().metallicRoughnessImage = shelf.indexOf(source.metallicRoughnessTexture);
+        // A factor without its texture would shine where the texture is dark.
+        glm::vec3& emissive = looks.materials.back().emissiveFactor;
+        if (source.emissiveTexture >= 0 && emissive != glm::vec3(0.0f)) {
+            const int image = shelf.indexOf(source.emissiveTexture);
+            emissive *= image < 0 ? glm::vec3(0.0f) : meanColour(shelf.images[static_cast<std::size_t>(image)]);
+            ++shining;
+        }
         if (source.otherCoordinates) ++otherCoordinates;
         if (source.transparent) ++transparent;
     }
@@ -96,6 +117,8 @@ Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>
     if (otherCoordinates > 0)
         notes.push_back(fmt::format(
             "{} materials use other texture coordinates than TEXCOORD_0 as it is; they get those", otherCoordinates));
+    if (shining > 0)
+        notes.push_back(fmt::format("{} materials shine evenly, with the mean of their emissive texture", shining));
     if (transparent > 0) notes.push_back(fmt::format("{} transparent materials are drawn opaque", transparent));
     return looks;
 }

@@ -1,6 +1,7 @@
 #include "scene/gltf_instances.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -22,6 +23,11 @@ std::vector<SkinBinding> readSkins(const Model& model) {
                 readFloats(model, skin.inverseBindMatrices, 16, Integers::Forbidden, what);
             for (std::size_t j = 0; j < skin.joints.size(); ++j)
                 binding.jointFromMesh[j] = glm::dmat4(glm::make_mat4(&numbers[16 * j]));
+            for (std::size_t i = 3; i < numbers.size(); i += 4) {
+                const float expected = i % 16 == 15 ? 1.0f : 0.0f;
+                if (!(std::abs(numbers[i] - expected) <= 1e-4f))  // products of float matrices are rounded
+                    throw Error(fmt::format("{}: the last row of matrix {} is not 0 0 0 1", what, i / 16));
+            }
             for (const float number : numbers)
                 if (!(number >= -1e18f && number <= 1e18f))
                     throw Error(fmt::format("{} hold the number {}", what, number));
@@ -33,37 +39,44 @@ std::vector<SkinBinding> readSkins(const Model& model) {
 
 /// Properties of a skin, computed once, since files may use a skin many times.
 struct SkinFacts {
-    bool mirrored = false;  ///< the majority of joints mirror
+    bool mirrored = false;
     bool moves = false;
     bool used = false;
 };
 
+/// Whether the majority of a skin's joints mirror in a pose.
+bool mirrors(const SkinBinding& skin, const Pose& pose) {
+    int balance = 0;
+    for (const glm::dmat4x3& joint : jointMatrices(skin, pose))
+        balance += glm::dot(joint[0], glm::cross(joint[1], joint[2])) < 0.0 ? 1 : -1;
+    return balance > 0;
+}
+
+bool mirrors(const Pose& pose, int node) {
+    return glm::determinant(glm::dmat3(pose.worldFromNode[static_cast<std::size_t>(node)])) < 0.0;
+}
+
 std::vector<SkinFacts> factsOf(const std::vector<SkinBinding>& skins, const NodeMotion& motion) {
     std::vector<SkinFacts> facts;
     for (const SkinBinding& skin : skins) {
-        int balance = 0;
-        for (const glm::dmat4x3& joint : jointMatrices(skin, motion.rest()))
-            balance += glm::dot(joint[0], glm::cross(joint[1], joint[2])) < 0.0 ? 1 : -1;
         const bool moves =
             std::any_of(skin.joints.begin(), skin.joints.end(), [&](int joint) { return motion.moves(joint); });
-        facts.push_back({balance > 0, moves, false});
+        facts.push_back({mirrors(skin, motion.rest()), moves, false});
     }
     return facts;
 }
 
-bool mirrors(const NodeMotion& motion, int node) {
-    return glm::determinant(glm::dmat3(motion.rest().worldFromNode[static_cast<std::size_t>(node)])) < 0.0;
-}
+glm::u32vec3 turnedRound(const glm::u32vec3& triangle) { return {triangle.x, triangle.z, triangle.y}; }
 
-void appendTopology(MeshTopology& topology, std::vector<char>& used, const Instance& instance, bool flip,
-                    std::uint32_t material, std::uint32_t number) {
+void appendTopology(MeshTopology& topology, std::vector<char>& used, const Instance& instance, std::uint32_t material,
+                    std::uint32_t number) {
     const Geometry& geometry = *instance.geometry;
     const auto first = static_cast<std::uint32_t>(instance.firstVertex);
     topology.textureCoordinates.insert(topology.textureCoordinates.end(), geometry.textureCoordinates.begin(),
                                        geometry.textureCoordinates.end());
     used.resize(used.size() + geometry.positions.size(), 0);
     for (const glm::u32vec3& triangle : geometry.triangles) {
-        const glm::u32vec3 placed = (flip ? glm::u32vec3(triangle.x, triangle.z, triangle.y) : triangle) + first;
+        const glm::u32vec3 placed = (instance.mirrored ? turnedRound(triangle) : triangle) + first;
         topology.triangles.push_back(placed);
         topology.triangleMaterials.push_back(material);
         topology.triangleInstances.push_back(number);
@@ -102,15 +115,15 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
         for (const Geometry& geometry : stage.geometries[static_cast<std::size_t>(node.mesh)]) {
             const int index = static_cast<int>(n);
             Instance instance{&geometry, index, geometry.jointSets.empty() ? -1 : node.skin, topology->vertexCount,
-                              false};
+                              false,     false};
             SkinFacts* skin = instance.skin < 0 ? nullptr : &facts[static_cast<std::size_t>(instance.skin)];
             if (skin != nullptr) skin->used = true;
             instance.moves = motion.morphs(index) || motion.moves(index) || (skin != nullptr && skin->moves);
-            const bool flip = skin != nullptr ? skin->mirrored : mirrors(motion, index);
-            anyFlipped = anyFlipped || flip;
+            instance.mirrored = skin != nullptr ? skin->mirrored : mirrors(motion.rest(), index);
+            anyFlipped = anyFlipped || instance.mirrored;
             const std::uint32_t material =
                 geometry.material < 0 ? defaultMaterial : static_cast<std::uint32_t>(geometry.material);
-            appendTopology(*topology, stage.used, instance, flip, material, number);
+            appendTopology(*topology, stage.used, instance, material, number);
             stage.instances.push_back(instance);
         }
         flipped += anyFlipped ? 1 : 0;
@@ -121,7 +134,41 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
     topology->instanceCount = number;
     stage.topology = std::move(topology);
     stage.turningNodes = turningNodes(stage, facts, motion);
+    stage.mayMirror = std::any_of(motion.clip().tracks.begin(), motion.clip().tracks.end(),
+                                  [](const Track& track) { return track.path == TargetPath::Scale; });
     return stage;
+}
+
+std::vector<char> mirroredInstances(const Stage& stage, const Pose& pose) {
+    std::vector<int> skins(stage.skins.size(), -1);  // instances share skins
+    std::vector<char> mirrored;
+    for (const Instance& instance : stage.instances) {
+        if (!instance.moves) {
+            mirrored.push_back(instance.mirrored);
+        } else if (instance.skin < 0) {
+            mirrored.push_back(mirrors(pose, instance.node));
+        } else {
+            int& known = skins[static_cast<std::size_t>(instance.skin)];
+            if (known < 0) known = mirrors(stage.skins[static_cast<std::size_t>(instance.skin)], pose);
+            mirrored.push_back(known > 0);
+        }
+    }
+    return mirrored;
+}
+
+std::shared_ptr<const MeshTopology> topologyMirrored(const Stage& stage, const std::vector<char>& mirrored) {
+    const auto differs = [&](std::size_t i) { return (mirrored[i] != 0) != stage.instances[i].mirrored; };
+    std::shared_ptr<MeshTopology> changed;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < stage.instances.size(); ++i) {
+        const std::size_t end = first + stage.instances[i].geometry->triangles.size();
+        if (differs(i)) {
+            if (!changed) changed = std::make_shared<MeshTopology>(*stage.topology);
+            for (std::size_t id = first; id < end; ++id) changed->triangles[id] = turnedRound(changed->triangles[id]);
+        }
+        first = end;
+    }
+    return changed ? changed : stage.topology;
 }
 
 }  // namespace timeshade::gltf

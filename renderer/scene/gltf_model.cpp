@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "core/one_line.h"
+#include "scene/gltf_extensions.h"
 
 namespace timeshade::gltf {
 
@@ -112,17 +113,51 @@ Primitive convert(const tinygltf::Primitive& from) {
     return to;
 }
 
+/// The spec demands as many sets of weights as of joints: with one of them missing nothing says what follows what.
+void requireJointsAndWeights(const std::vector<tinygltf::Mesh>& meshes) {
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+        for (const tinygltf::Primitive& primitive : meshes[m].primitives)
+            for (const auto& [name, accessor] : primitive.attributes)
+                for (const auto& [one, other] : {std::pair{"JOINTS_", "WEIGHTS_"}, {"WEIGHTS_", "JOINTS_"}})
+                    if (name.starts_with(one) &&
+                        !primitive.attributes.contains(other + name.substr(std::string(one).size())))
+                        throw Error(fmt::format("mesh {} has {} without {}{}", m, oneLine(name, 30), other,
+                                                oneLine(name.substr(std::string(one).size()), 20)));
+}
+
+/// What of the primitives is not read, named once.
+void noteAttributes(const std::vector<tinygltf::Mesh>& meshes, std::vector<std::string>& notes) {
+    std::size_t coloured = 0, manyJoints = 0;
+    for (const tinygltf::Mesh& mesh : meshes)
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            if (primitive.attributes.contains("COLOR_0")) ++coloured;
+            if (primitive.attributes.contains("JOINTS_2")) ++manyJoints;
+        }
+    if (coloured > 0) notes.push_back(fmt::format("vertex colours of {} primitives are left out", coloured));
+    if (manyJoints > 0)
+        notes.push_back(fmt::format("{} primitives have more than 8 joints a vertex; the first 8 count", manyJoints));
+}
+
 Mesh convert(const tinygltf::Mesh& from) {
     Mesh to{oneLine(from.name), {}, from.weights};
     for (const tinygltf::Primitive& primitive : from.primitives) to.primitives.push_back(convert(primitive));
     return to;
 }
 
+/// Exporters write products of float matrices: a last row that is 0 0 0 1 but for rounding becomes that.
+glm::dmat4 withoutRounding(glm::dmat4 matrix) {
+    constexpr double rounding = 1e-5;
+    const glm::dvec4 exact(0.0, 0.0, 0.0, 1.0);
+    for (int column = 0; column < 4; ++column)
+        if (std::abs(matrix[column][3] - exact[column]) <= rounding) matrix[column][3] = exact[column];
+    return matrix;
+}
+
 Node convert(const tinygltf::Node& from) {
     Node to;
     to.name = oneLine(from.name);
     to.children = from.children;
-    if (from.matrix.size() == 16) to.matrix = glm::make_mat4(from.matrix.data());
+    if (from.matrix.size() == 16) to.matrix = withoutRounding(glm::make_mat4(from.matrix.data()));
     if (from.translation.size() == 3) to.local.translation = glm::make_vec3(from.translation.data());
     if (from.scale.size() == 3) to.local.scale = glm::make_vec3(from.scale.data());
     if (from.rotation.size() == 4)
@@ -181,6 +216,7 @@ MaterialSource convert(const tinygltf::Material& from, std::size_t index) {
     to.transparent = from.alphaMode != "OPAQUE";
     to.baseColorTexture = pbr.baseColorTexture.index;
     to.metallicRoughnessTexture = pbr.metallicRoughnessTexture.index;
+    to.emissiveTexture = from.emissiveTexture.index;
     for (const auto* texture : {&pbr.baseColorTexture, &pbr.metallicRoughnessTexture})
         to.otherCoordinates =
             to.otherCoordinates ||
@@ -239,6 +275,8 @@ Model readModel(const Document& document) {
     for (const auto& view : from.bufferViews)
         to.views.push_back({view.buffer, view.byteOffset, view.byteLength, view.byteStride});
     for (const auto& accessor : from.accessors) to.accessors.push_back(convert(accessor, to.accessors.size()));
+    requireJointsAndWeights(from.meshes);
+    noteAttributes(from.meshes, to.notes);
     for (const auto& mesh : from.meshes) to.meshes.push_back(convert(mesh));
     for (const auto& node : from.nodes) to.nodes.push_back(convert(node));
     for (const auto& skin : from.skins) to.skins.push_back({skin.joints, skin.inverseBindMatrices});
@@ -252,6 +290,8 @@ Model readModel(const Document& document) {
     for (const auto& scene : from.scenes) to.scenes.push_back(scene.nodes);
     to.scene = from.defaultScene >= 0 || from.scenes.empty() ? from.defaultScene : 0;
     to.images = imageSources(document.json);
+    const std::vector<std::string> notes = notesOnExtensions(document.json);
+    to.notes.insert(to.notes.end(), notes.begin(), notes.end());
     return to;
 }
 

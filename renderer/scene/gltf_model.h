@@ -145,6 +145,7 @@ struct MaterialSource {
     Material material;
     int baseColorTexture = -1;
     int metallicRoughnessTexture = -1;
+    int emissiveTexture = -1;
     bool transparent = false;       ///< blended or cut out; drawn opaque
     bool otherCoordinates = false;  ///< a texture uses coordinates that are not read, or a transform
 };
@@ -174,6 +175,7 @@ struct Model {
     std::vector<Light> lights;
     std::vector<std::vector<int>> scenes;  ///< root nodes of each
     int scene = -1;                        ///< the one that is shown; -1: all roots
+    std::vector<std::string> notes;        ///< on what is left out or replaced
 };
 
 /// Converts the JSON. Checks only what this struct needs; validate() checks the rest.

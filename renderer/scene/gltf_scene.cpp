@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <new>
 #include <set>
 
@@ -17,6 +18,7 @@
 #include "scene/gltf_geometry.h"
 #include "scene/gltf_images.h"
 #include "scene/gltf_instances.h"
+#include "scene/gltf_probes.h"
 #include "scene/gltf_views.h"
 
 namespace timeshade {
@@ -72,7 +74,8 @@ class GltfScene final : public Scene {
             moving(views_.light.node) || std::any_of(views_.cameras.begin(), views_.cameras.end(),
                                                      [&](const PlacedCamera& c) { return moving(c.node); });
         duration_ = moves_ || viewsMove ? motion_.clip().duration : 0.0;
-        clock_ = ClipClock(duration_, loops());
+        clock_ = ClipClock(duration_, endMeetsStart());
+        if (moves_) probes_ = probesOf(model, stage_);
     }
 
     void setDefaults(const SceneDefaults& defaults, std::vector<std::string> notes) {
@@ -91,6 +94,7 @@ class GltfScene final : public Scene {
     const std::string& name() const override { return name_; }
     std::string contentDigest() const override { return digest_; }
     double duration() const override { return duration_; }
+    bool loops() const override { return clock_.loops(); }
     const SceneDefaults& defaults() const override { return defaults_; }
     const std::vector<Material>& materials() const override { return looks_.materials; }
     const std::vector<Image>& images() const override { return looks_.images; }
@@ -101,30 +105,48 @@ class GltfScene final : public Scene {
     const std::vector<std::string>& notes() const override { return notes_; }
 
     CameraPose camera(std::size_t index, double seconds) const override {
-        const PlacedCamera& camera = views_.cameras.at(index);
-        return camera.node < 0 ? camera.pose
-                               : placedCamera(camera, motion_.worldFromNode(camera.node, clock_.wrapped(seconds)));
+        return cameraAt(index, ClipInstant::of(clock_.clipTime(seconds)));
     }
-    LightPose light(double seconds) const override {
-        const PlacedLight& light = views_.light;
-        return light.node < 0 ? light.pose : placedLight(motion_.worldFromNode(light.node, clock_.wrapped(seconds)));
+    LightPose light(double seconds) const override { return lightAt(ClipInstant::of(clock_.clipTime(seconds))); }
+    ShutterEnds<CameraPose> cameraEnds(std::size_t index, double openSeconds, double closeSeconds) const override {
+        return {cameraAt(index, during(openSeconds, closeSeconds, 0.0)),
+                cameraAt(index, during(openSeconds, closeSeconds, 1.0))};
     }
-    double heldCloseSeconds(double openSeconds, double closeSeconds) const override {
-        return clock_.heldClose(openSeconds, closeSeconds);
+    ShutterEnds<LightPose> lightEnds(double openSeconds, double closeSeconds) const override {
+        return {lightAt(during(openSeconds, closeSeconds, 0.0)), lightAt(during(openSeconds, closeSeconds, 1.0))};
     }
     MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
+    InnerMotion innerMotion(double openSeconds, double closeSeconds) const override {
+        return innerMotionOf(probes_, stage_, motion_, clock_, openSeconds, closeSeconds);
+    }
 
   private:
+    /// The moment at a share of a shutter. Tracks of STEP keys are read at its middle throughout.
+    ClipInstant during(double openSeconds, double closeSeconds, double share) const {
+        return {clock_.during(openSeconds, closeSeconds, share), clock_.during(openSeconds, closeSeconds, 0.5)};
+    }
+    CameraPose cameraAt(std::size_t index, const ClipInstant& instant) const {
+        const PlacedCamera& camera = views_.cameras.at(index);
+        return camera.node < 0 ? camera.pose : placedCamera(camera, motion_.worldFromNode(camera.node, instant));
+    }
+    LightPose lightAt(const ClipInstant& instant) const {
+        const PlacedLight& light = views_.light;
+        return light.node < 0 ? light.pose : placedLight(motion_.worldFromNode(light.node, instant));
+    }
     CameraPose placedCamera(const PlacedCamera& camera, const glm::dmat4& worldFromNode) const;
     LightPose placedLight(const glm::dmat4& worldFromNode) const;
     bool viewsLoop(const Pose& start, const Pose& end) const;
     void measure();
-    bool loops() const;
+    bool endMeetsStart() const;
+    std::shared_ptr<const MeshTopology> topologyIn(const Pose& pose) const;
 
     std::string name_, digest_;
     ClipNames clips_;
     NodeMotion motion_;
     Stage stage_;
+    ProbeList probes_;
+    mutable std::mutex topologiesMutex_;
+    mutable std::map<std::vector<char>, std::shared_ptr<const MeshTopology>> topologies_;  ///< by mirrored instances
     Looks looks_;
     std::vector<std::string> notes_;
     ClipClock clock_;
@@ -165,7 +187,8 @@ void GltfScene::measure() {
     std::vector<glm::dvec3> positions = positions_;
     std::vector<glm::vec3> normals = normals_;
     for (int sample = 0; sample <= (moves_ ? samples : 0); ++sample) {
-        if (moves_) deformInstances(stage_, motion_.at(duration * sample / samples), true, positions, normals);
+        if (moves_)
+            deformInstances(stage_, motion_.at(ClipInstant::of(duration * sample / samples)), true, positions, normals);
         for (std::size_t v = 0; v < positions.size(); ++v) {
             const glm::dvec3& p = positions[v];
             if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= farthest))
@@ -200,10 +223,10 @@ bool GltfScene::viewsLoop(const Pose& start, const Pose& end) const {
 }
 
 /// Whether the end of the clip equals its start.
-bool GltfScene::loops() const {
+bool GltfScene::endMeetsStart() const {
     if (!(duration_ > 0.0)) return true;
-    const Pose start = motion_.at(0.0);
-    const Pose end = motion_.at(duration_);
+    const Pose start = motion_.at(ClipInstant::of(0.0));
+    const Pose end = motion_.at(ClipInstant::of(duration_));
     if (!viewsLoop(start, end)) return false;
     if (!moves_) return true;
     std::vector<glm::dvec3> atStart = positions_;
@@ -216,18 +239,28 @@ bool GltfScene::loops() const {
     return true;
 }
 
+/// The topology whose triangles are counter-clockwise in the pose. Equal windings share one.
+std::shared_ptr<const MeshTopology> GltfScene::topologyIn(const Pose& pose) const {
+    std::vector<char> mirrored = mirroredInstances(stage_, pose);
+    const std::lock_guard lock(topologiesMutex_);
+    auto& known = topologies_[mirrored];
+    if (!known) known = topologyMirrored(stage_, mirrored);
+    return known;
+}
+
 MotionMesh GltfScene::motionMesh(double openSeconds, double closeSeconds) const {
     MotionMesh mesh{stage_.topology, positions_, positions_, normals_, normals_, 0.0};
     if (!moves_) return mesh;
-    deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 0.0)), true, mesh.positionsOpen,
+    if (stage_.mayMirror) mesh.topology = topologyIn(motion_.at(during(openSeconds, closeSeconds, 0.5)));
+    deformInstances(stage_, motion_.at(during(openSeconds, closeSeconds, 0.0)), true, mesh.positionsOpen,
                     mesh.normalsOpen);
-    deformInstances(stage_, motion_.at(clock_.during(openSeconds, closeSeconds, 1.0)), true, mesh.positionsClose,
+    deformInstances(stage_, motion_.at(during(openSeconds, closeSeconds, 1.0)), true, mesh.positionsClose,
                     mesh.normalsClose);
     // In steps, because the two ends alone cannot distinguish a full turn from none.
     constexpr int steps = 4;
-    std::vector<double> path;
+    std::vector<ClipInstant> path;
     for (int step = 0; step <= steps; ++step)
-        path.push_back(clock_.during(openSeconds, closeSeconds, static_cast<double>(step) / steps));
+        path.push_back(during(openSeconds, closeSeconds, static_cast<double>(step) / steps));
     mesh.largestTurnDegrees = motion_.largestTurnDegrees(stage_.turningNodes, path);
     return mesh;
 }
@@ -272,7 +305,7 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     loadBuffers(model, document, files);
     validate(model);
 
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = std::move(model.notes);
     auto geometries = readGeometries(model, Budget{options.maxTriangles}, notes);
     ClipNames clips;
     NodeMotion motion(model, chooseClip(model, options.clip, clips, notes), notes);

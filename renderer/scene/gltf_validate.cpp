@@ -127,6 +127,10 @@ void checkTransform(const Node& node, const std::string& where) {
     if (!good) throw Error(fmt::format("{} has a transform with numbers beyond {}", where, largestNumber));
     if (node.matrix && (*node.matrix)[3][3] != 1.0)
         throw Error(fmt::format("{} has a matrix whose last element is {}, expected 1", where, (*node.matrix)[3][3]));
+    for (int column = 0; node.matrix && column < 3; ++column)
+        if ((*node.matrix)[column][3] != 0.0)
+            throw Error(fmt::format("{} has a matrix whose last row begins with {}, {}, {}, expected zeros", where,
+                                    (*node.matrix)[0][3], (*node.matrix)[1][3], (*node.matrix)[2][3]));
     for (const double weight : node.weights)
         if (!bounded(weight)) throw Error(fmt::format("{} has a morph weight beyond {}", where, largestNumber));
 }
@@ -173,6 +177,13 @@ void markScene(Model& model) {
     else
         for (const int root : model.scenes[static_cast<std::size_t>(model.scene)])
             model.nodes[static_cast<std::size_t>(root)].inScene = true;
+    std::size_t children = 0;
+    if (model.scene >= 0)
+        for (const int root : model.scenes[static_cast<std::size_t>(model.scene)])
+            if (model.nodes[static_cast<std::size_t>(root)].parent >= 0) ++children;
+    if (children > 0)
+        model.notes.push_back(
+            fmt::format("{} nodes are roots of the scene and children too; each is shown once, as a child", children));
     for (const int index : model.parentsFirst) {
         Node& node = model.nodes[static_cast<std::size_t>(index)];
         if (node.parent >= 0 && model.nodes[static_cast<std::size_t>(node.parent)].inScene) node.inScene = true;
@@ -215,6 +226,7 @@ void checkMaterials(const Model& model) {
         const std::string where = fmt::format("material {}", i);
         allowIndex(model.materials[i].baseColorTexture, model.textureImages.size(), where, "texture");
         allowIndex(model.materials[i].metallicRoughnessTexture, model.textureImages.size(), where, "texture");
+        allowIndex(model.materials[i].emissiveTexture, model.textureImages.size(), where, "texture");
     }
     for (std::size_t i = 0; i < model.textureImages.size(); ++i)
         allowIndex(model.textureImages[i], model.images.size(), fmt::format("texture {}", i), "image");

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/one_line.h"
 #include "scene/fitted_views.h"
 
 namespace timeshade::gltf {
@@ -65,9 +66,13 @@ void readCameras(const Model& model, const Bounds& bounds, Views& views, std::ve
     views.cameras.push_back({-1, fittedCamera(bounds)});
 }
 
+bool isOfKnownType(const Light& light) {
+    return light.type == "spot" || light.type == "directional" || light.type == "point";
+}
+
 bool usable(const Light& light) {
     const glm::dvec3 amount = light.colour * light.intensity;
-    const bool known = light.type == "spot" || light.type == "directional" || light.type == "point";
+    const bool known = isOfKnownType(light);
     const bool sane =
         std::min({amount.x, amount.y, amount.z}) >= 0.0 && std::max({amount.x, amount.y, amount.z}) < 1e30;
     return known && sane && std::max({amount.x, amount.y, amount.z}) > 0.0;
@@ -109,6 +114,11 @@ void readLight(const Model& model, const Bounds& bounds, Views& views, std::vect
     for (std::size_t n = 0; n < model.nodes.size(); ++n)
         if (model.nodes[n].inScene && model.nodes[n].light >= 0) all.push_back(static_cast<int>(n));
     for (const int node : all) {
+        if (!isOfKnownType(lightOf(node)))
+            notes.push_back(
+                fmt::format("light \"{}\" has the type \"{}\" and is left out; expected spot, "
+                            "directional or point",
+                            nameOf(node), oneLine(lightOf(node).type, 30)));
         if (!usable(lightOf(node))) continue;
         if (chosen < 0 || (lightOf(chosen).type == "point" && lightOf(node).type != "point")) chosen = node;
     }

@@ -8,10 +8,12 @@
 
 namespace timeshade {
 
-/// The parts of a mesh that are constant while a scene plays: connectivity, materials, texture coordinates. All
-/// MotionMeshes of a scene share one, so that comparing pointers shows whether it must be uploaded again.
+/// The parts of a mesh that are constant while a scene plays: connectivity, materials, texture coordinates.
+/// MotionMeshes of a scene share one, so that comparing pointers shows whether it must be uploaded again; where an
+/// animation mirrors something, there is one for each set of mirrored instances, which differ in corner order alone.
 struct MeshTopology {
-    std::vector<glm::u32vec3> triangles;           ///< vertex indices, counter-clockwise seen from the front
+    /// Vertex indices, counter-clockwise seen from the front; where an animation mirrors, in the middle of the shutter.
+    std::vector<glm::u32vec3> triangles;
     std::vector<std::uint32_t> triangleMaterials;  ///< index into Scene::materials(), one per triangle
     std::vector<std::uint32_t> triangleInstances;  ///< mesh instance (node) of each triangle
     std::vector<glm::vec2> textureCoordinates;     ///< one per vertex; (0,0) where the file has none
@@ -29,8 +31,8 @@ struct MotionMesh {
     std::vector<glm::vec3> normalsOpen;      ///< unit, smooth, for shading only
     std::vector<glm::vec3> normalsClose;
 
-    /// Largest rotation of any instance or joint in this shutter, in degrees. Above 15 degrees, linear vertex paths
-    /// shrink an object by more than 0.9 % at u = 1/2, and the plan contains a warning.
+    /// Largest rotation of any instance or joint in this shutter, in degrees. At 15 degrees, linear vertex paths shrink
+    /// an object by 0.9 % at u = 1/2.
     double largestTurnDegrees = 0.0;
 };
 

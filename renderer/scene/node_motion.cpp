@@ -24,13 +24,15 @@ glm::dquat unit(const glm::dquat& rotation) {
     return length > 1e-12 ? rotation / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 
+bool mirrors(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)) < 0.0; }
+
 /// Translation, rotation and scale of a matrix; shear is lost.
 LocalTransform decomposed(const glm::dmat4& matrix) {
     LocalTransform local;
     local.translation = glm::dvec3(matrix[3]);
     local.rotation = glm::quat_cast(rotationOf(matrix));
     for (int axis = 0; axis < 3; ++axis) local.scale[axis] = glm::length(glm::dvec3(matrix[axis]));
-    if (glm::determinant(glm::dmat3(matrix)) < 0.0) local.scale.z = -local.scale.z;
+    if (mirrors(matrix)) local.scale.x = -local.scale.x;  // as rotationOf() has it
     return local;
 }
 
@@ -43,15 +45,16 @@ double angleBetween(const glm::dmat3& from, const glm::dmat3& to) {
 }  // namespace
 
 glm::dmat3 rotationOf(const glm::dmat4& transform) {
-    const glm::dvec3 x(transform[0]);
-    const glm::dvec3 z(transform[2]);
+    const bool mirrored = mirrors(transform);
+    const glm::dvec3 z(transform[2]), beside(transform[mirrored ? 1 : 0]);
     const double lengthZ = glm::length(z);
     if (!(lengthZ > 0.0)) return glm::dmat3(1.0);
     const glm::dvec3 back = z / lengthZ;
-    const glm::dvec3 right = x - back * glm::dot(x, back);
-    const double lengthX = glm::length(right);
-    if (!(lengthX > 1e-9 * glm::length(x))) return glm::dmat3(1.0);
-    return {right / lengthX, glm::cross(back, right / lengthX), back};
+    const glm::dvec3 across = beside - back * glm::dot(beside, back);
+    const double length = glm::length(across);
+    if (!(length > 1e-9 * glm::length(beside))) return glm::dmat3(1.0);
+    const glm::dvec3 kept = across / length;
+    return mirrored ? glm::dmat3(glm::cross(kept, back), kept, back) : glm::dmat3(kept, glm::cross(back, kept), back);
 }
 
 NodeMotion::NodeMotion(const Model& model, Clip clip, std::vector<std::string>& notes)
@@ -117,14 +120,14 @@ bool NodeMotion::morphs(int node) const {
     return false;
 }
 
-glm::dmat4 NodeMotion::parentFromNode(const Entry& entry, double clipSeconds) const {
+glm::dmat4 NodeMotion::parentFromNode(const Entry& entry, const ClipInstant& instant) const {
     LocalTransform local = entry.local;
     bool driven = false;
     for (std::size_t t = entry.firstTrack; t < entry.endTrack; ++t) {
         const Track& track = clip_.tracks[t];
         if (track.path == TargetPath::Weights) continue;
         double value[4];
-        track.sample(clipSeconds, value);
+        track.sample(instant, value);
         driven = true;
         if (track.path == TargetPath::Translation) local.translation = {value[0], value[1], value[2]};
         if (track.path == TargetPath::Scale) local.scale = {value[0], value[1], value[2]};
@@ -133,36 +136,36 @@ glm::dmat4 NodeMotion::parentFromNode(const Entry& entry, double clipSeconds) co
     return driven ? local.matrix() : entry.matrix;
 }
 
-Pose NodeMotion::at(double clipSeconds) const {
+Pose NodeMotion::at(const ClipInstant& instant) const {
     Pose pose = rest_;
     for (const int index : movingParentsFirst_) {
         const auto i = static_cast<std::size_t>(index);
         const Entry& entry = nodes_[i];
-        const glm::dmat4 local = parentFromNode(entry, clipSeconds);
+        const glm::dmat4 local = parentFromNode(entry, instant);
         pose.worldFromNode[i] =
             entry.parent >= 0 ? pose.worldFromNode[static_cast<std::size_t>(entry.parent)] * local : local;
-        requireFinite(pose.worldFromNode[i], i, clipSeconds);
+        requireFinite(pose.worldFromNode[i], i, instant.seconds);
     }
     for (const Track& track : clip_.tracks)
         if (track.path == TargetPath::Weights)
-            track.sample(clipSeconds, pose.morphWeights[static_cast<std::size_t>(track.node)].data());
+            track.sample(instant, pose.morphWeights[static_cast<std::size_t>(track.node)].data());
     return pose;
 }
 
-glm::dmat4 NodeMotion::worldFromNode(int node, double clipSeconds) const {
+glm::dmat4 NodeMotion::worldFromNode(int node, const ClipInstant& instant) const {
     glm::dmat4 matrix(1.0);
     for (int index = node; index >= 0; index = nodes_[static_cast<std::size_t>(index)].parent)
-        matrix = parentFromNode(nodes_[static_cast<std::size_t>(index)], clipSeconds) * matrix;
-    requireFinite(matrix, static_cast<std::size_t>(node), clipSeconds);
+        matrix = parentFromNode(nodes_[static_cast<std::size_t>(index)], instant) * matrix;
+    requireFinite(matrix, static_cast<std::size_t>(node), instant.seconds);
     return matrix;
 }
 
-double NodeMotion::largestTurnDegrees(const std::vector<int>& nodes, const std::vector<double>& clipSeconds) const {
+double NodeMotion::largestTurnDegrees(const std::vector<int>& nodes, const std::vector<ClipInstant>& instants) const {
     if (nodes.empty()) return 0.0;
     std::vector<double> turns(nodes.size(), 0.0);
     std::vector<glm::dmat3> before(nodes.size());
-    for (std::size_t step = 0; step < clipSeconds.size(); ++step) {
-        const Pose pose = at(clipSeconds[step]);
+    for (std::size_t step = 0; step < instants.size(); ++step) {
+        const Pose pose = at(instants[step]);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const glm::dmat3 rotation = rotationOf(pose.worldFromNode[static_cast<std::size_t>(nodes[i])]);
             if (step > 0) turns[i] += angleBetween(before[i], rotation);

@@ -28,12 +28,12 @@ class NodeMotion {
     const Pose& rest() const { return rest_; }
 
     /// The pose at a clip time (not wrapped). Throws Error if a transform overflows.
-    Pose at(double clipSeconds) const;
+    Pose at(const ClipInstant& instant) const;
     /// The transform of one node, for cameras and lights.
-    glm::dmat4 worldFromNode(int node, double clipSeconds) const;
+    glm::dmat4 worldFromNode(int node, const ClipInstant& instant) const;
 
     /// The largest total rotation, in degrees, of any of the given nodes along a sequence of instants.
-    double largestTurnDegrees(const std::vector<int>& nodes, const std::vector<double>& clipSeconds) const;
+    double largestTurnDegrees(const std::vector<int>& nodes, const std::vector<ClipInstant>& instants) const;
 
   private:
     struct Entry {
@@ -45,7 +45,7 @@ class NodeMotion {
     };
     void readEntries(const Model& model, std::vector<std::string>& notes);
     void restPose(const Model& model);
-    glm::dmat4 parentFromNode(const Entry& entry, double clipSeconds) const;
+    glm::dmat4 parentFromNode(const Entry& entry, const ClipInstant& instant) const;
 
     Clip clip_;  ///< tracks in the order of their nodes
     std::vector<Entry> nodes_;
@@ -55,7 +55,8 @@ class NodeMotion {
     Pose rest_;
 };
 
-/// The rotation of a transform: its axes made orthonormal and right-handed. Identity if an axis has length 0.
+/// The rotation of a transform: its axes made orthonormal and right-handed. Identity if an axis has length 0. Of a
+/// mirroring transform the x axis is the one that is negated: a camera below it looks the same way and stays upright.
 glm::dmat3 rotationOf(const glm::dmat4& transform);
 
 }  // namespace timeshade::gltf

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/inner_motion.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/motion_mesh.h"
@@ -38,6 +39,12 @@ struct SceneDefaults {
     double shutterLength = 0.5;  ///< frames
 };
 
+/// What something is at the opening (u = 0) and at the closing (u = 1) of a shutter.
+template <typename Pose>
+struct ShutterEnds {
+    Pose open, close;
+};
+
 /// A parameter of a computed scene.
 struct SceneParameter {
     std::string key;
@@ -51,23 +58,31 @@ class Scene {
     virtual ~Scene() = default;
 
     virtual const std::string& name() const = 0;
-    /// Seconds after which the motion repeats; 0 if nothing moves.
+    /// Seconds that the motion lasts, after which it repeats or is held (loops()); 0 if nothing moves.
     virtual double duration() const = 0;
+    /// Whether the end of the motion joins its start, so that it repeats; otherwise it is held at both ends.
+    virtual bool loops() const { return true; }
     virtual const SceneDefaults& defaults() const = 0;
     virtual const std::vector<Material>& materials() const = 0;  ///< never empty
     virtual const std::vector<Image>& images() const = 0;
     virtual const std::vector<CameraBookmark>& cameras() const = 0;  ///< never empty; the first is the default
     virtual CameraPose camera(std::size_t index, double seconds) const = 0;
-    /// The light at an instant. The plan uses its direction at the centre of the shutter for the whole shutter.
+    /// The light at an instant.
     virtual LightPose light(double seconds) const = 0;
-    /// Positions at both ends of the shutter; openSeconds <= closeSeconds. A clip that loops seamlessly continues past
-    /// its end; any other is clamped to its end, so that no triangle jumps inside a shutter.
+    /// Positions at both ends of the shutter; openSeconds <= closeSeconds. What jumps inside the shutter (STEP keys) is
+    /// at both ends where it is in the shutter's middle, so that no jump is smeared.
     virtual MotionMesh motionMesh(double openSeconds, double closeSeconds) const = 0;
-    /// The time at which cameras and the light are evaluated for the shutter's close: closeSeconds or, if motionMesh()
-    /// clamps to the clip's end, the last instant before that end.
-    virtual double heldCloseSeconds(double openSeconds, double closeSeconds) const {
-        static_cast<void>(openSeconds);
-        return closeSeconds;
+    /// A camera and the light at both ends of the shutter; jumps as in motionMesh().
+    virtual ShutterEnds<CameraPose> cameraEnds(std::size_t index, double openSeconds, double closeSeconds) const {
+        return {camera(index, openSeconds), camera(index, closeSeconds)};
+    }
+    virtual ShutterEnds<LightPose> lightEnds(double openSeconds, double closeSeconds) const {
+        return {light(openSeconds), light(closeSeconds)};
+    }
+    /// Where the things of motionMesh() really are inside the shutter. Empty for a scene that does not say.
+    virtual InnerMotion innerMotion(double openSeconds, double closeSeconds) const {
+        static_cast<void>(openSeconds), static_cast<void>(closeSeconds);
+        return {};
     }
     /// World-space bounds over the whole clip (sampled), never empty. Fitted cameras, lights and origins use them.
     virtual const Bounds& bounds() const = 0;

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
+
+#include <fmt/format.h>
 
 #include "core/check.h"
 
@@ -46,6 +50,42 @@ MeshScene::MeshScene(SceneParts parts)
     CHECK(static_cast<bool>(parts_.light));
     for (const MeshInstance& instance : parts_.instances) CHECK_LT(instance.material, parts_.materials.size());
     for (const auto& [name, pose] : parts_.cameras) cameras_.push_back({name});
+    std::map<const Shape*, std::vector<std::uint32_t>> known;
+    for (const MeshInstance& instance : parts_.instances) {
+        const Shape& shape = *instance.shape;
+        const auto [extremes, isNew] = known.try_emplace(&shape);
+        if (isNew && instance.motion) {
+            std::vector<std::uint32_t> all(shape.positions.size());
+            std::iota(all.begin(), all.end(), 0u);
+            extremes->second = extremesOf({shape.positions.begin(), shape.positions.end()}, all);
+        }
+        things_.push_back(fmt::format("instance {}", things_.size()));
+        extremes_.push_back(instance.motion ? extremes->second : std::vector<std::uint32_t>{});
+    }
+}
+
+InnerMotion MeshScene::innerMotion(double openSeconds, double closeSeconds) const {
+    InnerMotion inner;
+    if (!(closeSeconds > openSeconds)) return inner;
+    inner.instants = innerInstants({});
+    inner.things = &things_;
+    std::uint32_t firstVertex = 0, number = 0;
+    for (const MeshInstance& instance : parts_.instances) {
+        const std::vector<std::uint32_t>& extremes = extremes_[number];
+        for (std::size_t i = 0; instance.motion && i < inner.instants.size(); ++i) {
+            const double u = inner.instants[i];
+            const RigidPose pose = instance.motion(clock_.during(openSeconds, closeSeconds, u));
+            inner.groups.push_back({number, u, false, static_cast<std::uint32_t>(inner.vertices.size()),
+                                    static_cast<std::uint32_t>(extremes.size())});
+            for (const std::uint32_t vertex : extremes) {
+                inner.vertices.push_back(firstVertex + vertex);
+                inner.positions.push_back(pose.axes * instance.shape->positions[vertex] + pose.position);
+            }
+        }
+        firstVertex += static_cast<std::uint32_t>(instance.shape->positions.size());
+        ++number;
+    }
+    return inner;
 }
 
 MotionMesh MeshScene::motionMesh(double openSeconds, double closeSeconds) const {

@@ -52,10 +52,11 @@ class MeshScene final : public Scene {
     const std::vector<Image>& images() const override { return images_; }
     const std::vector<CameraBookmark>& cameras() const override { return cameras_; }
     CameraPose camera(std::size_t index, double seconds) const override {
-        return parts_.cameras.at(index).second(clock_.wrapped(seconds));
+        return parts_.cameras.at(index).second(clock_.clipTime(seconds));
     }
-    LightPose light(double seconds) const override { return parts_.light(clock_.wrapped(seconds)); }
+    LightPose light(double seconds) const override { return parts_.light(clock_.clipTime(seconds)); }
     MotionMesh motionMesh(double openSeconds, double closeSeconds) const override;
+    InnerMotion innerMotion(double openSeconds, double closeSeconds) const override;
     const Bounds& bounds() const override { return parts_.bounds; }
     const std::vector<std::string>& notes() const override { return notes_; }
     const std::vector<SceneParameter>& parameters() const override { return parts_.parameters; }
@@ -67,6 +68,8 @@ class MeshScene final : public Scene {
     std::vector<CameraBookmark> cameras_;
     std::vector<std::string> notes_;
     std::shared_ptr<const MeshTopology> topology_;
+    std::vector<std::vector<std::uint32_t>> extremes_;  ///< vertices of each moving instance's shape
+    std::vector<std::string> things_;
 };
 
 }  // namespace timeshade

@@ -150,6 +150,78 @@ class Videos(RecordTest):
             self.assertTrue(part["title"] and part["caption"])
 
 
+class Endings(RecordTest):
+    ASKED = ("record", "pillars", *SMALL, "--technique", "static", "--frames", "4")
+
+    def test_an_ending_decides_the_container(self):
+        for name, muxer, codec in (("F.MP4", "mov,mp4", "h264"), ("F.mov", "mov,mp4", "h264"),
+                                   ("F.mkv", "matroska", "h264"), ("F.WebM", "matroska,webm", "av1"),
+                                   ("F.gif", "gif", "gif")):
+            with self.subTest(name=name):
+                self.assertIn(f"{name}  4 frames", self.succeed(*self.ASKED, "-o", name))
+                found = json.loads(subprocess.run(
+                    ["ffprobe", "-v", "error", "-show_entries", "format=format_name", "-of", "json",
+                     self.folder / name], check=True, capture_output=True).stdout)
+                self.assertTrue(found["format"]["format_name"].startswith(muxer), found)
+                stream = probe(self.folder / name)
+                self.assertEqual((stream["codec_name"], stream["nb_read_frames"]), (codec, "4"))
+                first = (self.folder / name).read_bytes()
+                if codec != "av1":  # its encoder's threads are its own affair
+                    self.succeed(*self.ASKED, "-o", name)
+                    self.assertEqual(FileBytes((self.folder / name).read_bytes()), FileBytes(first))
+                (self.folder / name).unlink()
+
+    def test_other_endings_are_refused_by_name(self):
+        for name in ("F.avi", "F.mpg", "F.png", "F.MKVX", "F.m4v", "frames.2"):
+            self.refuse(2, (name, ".mp4", ".mkv", "folder"), *self.ASKED, "-o", name)
+        for name, codec in (("F.webm", "h264"), ("F.gif", "hevc"), ("F.mov", "av1")):
+            self.refuse(2, (codec, pathlib.Path(name).suffix), *self.ASKED, "-o", name, "--codec", codec)
+
+    def test_folders(self):
+        (self.folder / "there.v2").mkdir()
+        for name in ("out", "new.v2/", "there.v2"):
+            self.succeed(*self.ASKED[:-1], "1", "-o", name)
+            self.assertIn(f"{name.rstrip('/')}/0000.png", self.files())
+
+
+class FullDisks(RecordTest):
+    """An encoder whose file may not grow beyond a size, as on a full disk. ffmpeg 5.1 ends with 0 where that hinders it
+    only when it writes the index."""
+    ASKED = ("record", "pillars", "--size", "320x240", "--map", "64", "--spp", "1", "--technique", "static", "--frames",
+             "12", "--quality", "0")
+
+    def limited(self, size):
+        return (f"trap '' XFSZ\nulimit -f {size // 512}\nexec {shutil.which('ffmpeg')} \"$@\"\n")
+
+    def test_no_file_and_one_line(self):
+        for name in ("F.mp4", "F.mkv"):
+            self.succeed(*self.ASKED, "-o", name)
+            size = (self.folder / name).stat().st_size
+            (self.folder / name).unlink()
+            env = self.fake_encoder(self.limited(size))
+            for limit in (16 * 1024, 300 * 1024, size // 2, size - 600):
+                if limit > size - 600:
+                    continue
+                with self.subTest(name=name, limit=limit, size=size):
+                    (self.folder / "bin/ffmpeg").write_text("#!/bin/sh\n" + self.limited(limit))
+                    self.refuse(1, (f"cannot write {name}: ffmpeg ended",), *self.ASKED, "-o", name, env=env,
+                                leaves=("bin", "bin/ffmpeg"))
+            shutil.rmtree(self.folder / "bin")
+
+    def test_an_encoder_that_fails_in_its_trailer_alone(self):
+        env = self.fake_encoder(f"{shutil.which('ffmpeg')} \"$@\"\ntruncate -s -300 /proc/self/fd/3\nexit 0\n")
+        self.refuse(1, ("cannot write F.mp4: ffmpeg ended without an error, but",), *self.ASKED, "-o", "F.mp4", env=env,
+                    leaves=("bin", "bin/ffmpeg"))
+        (self.folder / "bin/ffmpeg").write_text("#!/bin/sh\ncat >/dev/null\nexit 0\n")
+        self.refuse(1, ("cannot write F.mp4: ffmpeg ended without an error, but it cannot be read back",), *self.ASKED,
+                    "-o", "F.mp4", env=env, leaves=("bin", "bin/ffmpeg"))
+
+    def test_nothing_to_read_it_back_with(self):
+        env = self.fake_encoder("cat >/dev/null\n")
+        self.refuse(1, ("ffprobe", "expected"), *self.ASKED, "-o", "F.mp4",
+                    env=dict(env, PATH=str(self.folder / "bin")), leaves=("bin", "bin/ffmpeg"))
+
+
 class WhatGoesWrong(RecordTest):
     ASKED = ("record", "chess", "-o", "F.mp4", *SMALL, "--frames", "40")
 

@@ -39,7 +39,7 @@ TEST_P(Clocks, NoTimedFrameCompiles) {
     const std::unique_ptr<Technique> technique = make(renderer);
     FrameClock clock(renderer, planner, View::Final);
     EXPECT_EQ(renderer.programs().compiled(), 0u);
-    clock.warmUp(*technique, smallRequest());
+    clock.warmUp(*technique, smallRequest(), 2);
     const std::uint64_t compiled = renderer.programs().compiled();
     EXPECT_GE(compiled, 3u) << "sample, lookup and shade at least";
     FrameRequest request = smallRequest();
@@ -84,7 +84,7 @@ TEST(FrameClock, TimesAgainWhatWasCompiledInATimedFrame) {
     FramePlanner planner(*scene);
     const std::unique_ptr<Technique> technique = makeTechnique(names().front(), renderer.programs());
     FrameClock clock(renderer, planner, View::Final);
-    clock.warmUp(*technique, smallRequest());
+    clock.warmUp(*technique, smallRequest(), 2);
     renderer.programs().keepNewest(0);  // as other techniques' programs would have it
     const std::uint64_t before = renderer.programs().compiled();
     EXPECT_EQ(clock.time(*technique, smallRequest(), 1).size(), 3u);
@@ -104,7 +104,7 @@ TEST(FrameClock, ProgramsOfAllTechniquesInAllScenesAreCompiledOnce) {
             FramePlanner planner(*scene);
             FrameClock clock(renderer, planner, View::Final);
             for (const std::string& name : names())
-                clock.warmUp(*makeTechnique(name, renderer.programs()), smallRequest());
+                clock.warmUp(*makeTechnique(name, renderer.programs()), smallRequest(), 2);
         }
         return renderer.programs().compiled();
     };

@@ -154,8 +154,8 @@ TEST_P(IntervalSamplesOf, AreTheSameWithEverythingDynamic) {
 TEST_P(IntervalSamplesOf, NeverDropASegment) {
     const std::vector<SeenPart> once = segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "integral"));
     const ShaderCopy shaders;
-    shaders.apply({"lib/seen_partition.glsl", "SEGMENTS_TOGETHER 24", "SEGMENTS_TOGETHER 2"});
-    shaders.apply({"passes/seen_segments.frag", "SEGMENTS_KEPT 40", "SEGMENTS_KEPT 4"});
+    shaders.apply({"lib/seen_partition.glsl", "SEGMENTS_TOGETHER 24", "SEGMENTS_TOGETHER 4"});
+    shaders.apply({"passes/seen_segments.frag", "SEGMENTS_KEPT 40", "SEGMENTS_KEPT 6"});
     shaders.apply({"passes/seen_segments.frag", "partitionRounds < roundsAtOnce", "partitionRounds < 1"});
     FrameRenderer renderer;
     expectSameSegments(once, segmentsOf(drawParts(renderer, *scene_, request_, "integral")), 0);

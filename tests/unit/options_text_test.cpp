@@ -104,6 +104,7 @@ PictureOptions randomState(int seed) {
     options.forceDynamic = dice.below(4) == 0;
     options.noCache = dice.below(4) == 0;
     options.pixelCentres = dice.below(4) == 0;
+    options.looping = static_cast<Looping>(dice.below(3));
     if (dice.below(3) == 0) {
         options.compared = {"tsm:bias=2", "ranges"};
         options.compareMode = static_cast<CompareMode>(dice.below(3));
@@ -121,7 +122,8 @@ void expectSamePicture(const PictureOptions& a, const PictureOptions& b) {
     EXPECT_EQ(std::tie(a.frame, a.instant, a.framesPerSecond, a.shutterLength, a.shutterPosition),
               std::tie(b.frame, b.instant, b.framesPerSecond, b.shutterLength, b.shutterPosition));
     EXPECT_EQ(std::tie(a.shutterResponse, a.shutterWidth), std::tie(b.shutterResponse, b.shutterWidth));
-    EXPECT_EQ(std::tie(a.forceDynamic, a.noCache, a.pixelCentres), std::tie(b.forceDynamic, b.noCache, b.pixelCentres));
+    EXPECT_EQ(std::tie(a.forceDynamic, a.noCache, a.pixelCentres, a.looping),
+              std::tie(b.forceDynamic, b.noCache, b.pixelCentres, b.looping));
     EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam),
               std::tie(b.view, b.techniqueView, b.compared, b.compareMode, b.seam));
     ASSERT_EQ(a.pose.has_value(), b.pose.has_value());

@@ -58,11 +58,11 @@ TEST(FittedViews, ShowAndLightTheWholeBounds) {
 
 TEST(ClipClock, WrapsAnyTime) {
     const ClipClock clock(2.0, true);
-    EXPECT_DOUBLE_EQ(clock.wrapped(5.0), 1.0);
-    EXPECT_DOUBLE_EQ(clock.wrapped(-0.5), 1.5);
-    EXPECT_DOUBLE_EQ(clock.wrapped(2.0), 0.0);
-    EXPECT_DOUBLE_EQ(clock.wrapped(-1e-300), 0.0);
-    EXPECT_DOUBLE_EQ(ClipClock(0.0, true).wrapped(3.0), 0.0);
+    EXPECT_DOUBLE_EQ(clock.clipTime(5.0), 1.0);
+    EXPECT_DOUBLE_EQ(clock.clipTime(-0.5), 1.5);
+    EXPECT_DOUBLE_EQ(clock.clipTime(2.0), 0.0);
+    EXPECT_DOUBLE_EQ(clock.clipTime(-1e-300), 0.0);
+    EXPECT_DOUBLE_EQ(ClipClock(0.0, true).clipTime(3.0), 0.0);
     EXPECT_NEAR(clock.during(1.9, 2.3, 0.5), 0.1, 1e-12);
 }
 
@@ -70,9 +70,10 @@ TEST(ClipClock, HoldsWhatDoesNotLoop) {
     const ClipClock clock(2.0, false);
     EXPECT_DOUBLE_EQ(clock.during(1.9, 2.3, 1.0), 2.0);
     EXPECT_DOUBLE_EQ(clock.during(21.9, 22.3, 1.0), 2.0);
-    EXPECT_DOUBLE_EQ(clock.heldClose(1.0, 1.5), 1.5);
-    EXPECT_NEAR(clock.wrapped(clock.heldClose(21.9, 22.3)), 2.0, 1e-8);
-    EXPECT_DOUBLE_EQ(ClipClock(2.0, true).heldClose(1.9, 2.3), 2.3);
+    EXPECT_DOUBLE_EQ(clock.during(-0.1, 0.1, 0.0), 0.0);
+    EXPECT_DOUBLE_EQ(clock.during(-0.1, 0.1, 1.0), 0.1);
+    EXPECT_DOUBLE_EQ(clock.clipTime(-7.0), 0.0);
+    EXPECT_DOUBLE_EQ(clock.clipTime(2.5), 2.0);
 }
 
 TEST(OneLine, CutsAndCleans) {

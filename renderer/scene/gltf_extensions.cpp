@@ -1,0 +1,167 @@
+#include "scene/gltf_extensions.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "core/one_line.h"
+
+namespace timeshade::gltf {
+
+namespace {
+
+using Json = nlohmann::json;
+using Pointer = Json::json_pointer;
+
+constexpr std::array<std::string_view, 2> readExtensions{"KHR_lights_punctual", "KHR_mesh_quantization"};
+
+/// Extensions that change neither shapes nor motion nor what casts shadows; and the first parts of the names of whole
+/// families of such.
+constexpr std::array<std::string_view, 22> lookExtensions{"KHR_texture_transform",
+                                                          "KHR_texture_basisu",
+                                                          "KHR_texture_float",
+                                                          "KHR_techniques_webgl",
+                                                          "KHR_xmp",
+                                                          "KHR_xmp_json_ld",
+                                                          "KHR_audio",
+                                                          "KHR_audio_emitter",
+                                                          "EXT_texture_webp",
+                                                          "EXT_texture_avif",
+                                                          "EXT_texture_exr",
+                                                          "EXT_texture_astc",
+                                                          "EXT_lights_image_based",
+                                                          "EXT_lights_ies",
+                                                          "EXT_mesh_features",
+                                                          "EXT_instance_features",
+                                                          "EXT_structural_metadata",
+                                                          "EXT_feature_metadata",
+                                                          "EXT_primitive_voxels",
+                                                          "FB_geometry_metadata",
+                                                          "MSFT_texture_dds",
+                                                          "CESIUM_primitive_outline"};
+constexpr std::array<std::string_view, 6> lookFamilies{"KHR_materials_",  "EXT_materials_", "ADOBE_materials_",
+                                                       "VRMC_materials_", "MSFT_packing_",  "AGI_stk_metadata"};
+
+bool isRead(std::string_view name) {
+    return std::find(readExtensions.begin(), readExtensions.end(), name) != readExtensions.end();
+}
+
+bool changesLooksAlone(std::string_view name) {
+    return std::find(lookExtensions.begin(), lookExtensions.end(), name) != lookExtensions.end() ||
+           std::any_of(lookFamilies.begin(), lookFamilies.end(),
+                       [&](std::string_view family) { return name.starts_with(family); });
+}
+
+/// The names in one of the two lists of extensions. Throws Error where `strict` and it is not a list of names.
+std::vector<std::string> namesIn(const Json& root, const char* list, bool strict) {
+    std::vector<std::string> names;
+    const auto found = root.find(list);
+    if (found == root.end()) return names;
+    if (strict && !found->is_array()) throw Error(fmt::format("{} is not a list", list));
+    if (!found->is_array()) return names;
+    for (const Json& name : *found) {
+        if (strict && !name.is_string()) throw Error(fmt::format("{} holds something that is not a name", list));
+        if (name.is_string()) names.push_back(name.get<std::string>());
+    }
+    return names;
+}
+
+/// The elements of a section; none where there is no such list.
+const Json& elements(const Json& parent, const char* section) {
+    static const Json none = Json::array();
+    const auto found = parent.is_object() ? parent.find(section) : parent.end();
+    return found != parent.end() && found->is_array() ? *found : none;
+}
+
+std::string_view compressionOf(const Json& element) {
+    const auto extensions = element.is_object() ? element.find("extensions") : element.end();
+    if (extensions == element.end() || !extensions->is_object()) return {};
+    for (const std::string_view name :
+         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"})
+        if (extensions->contains(name)) return name;
+    return {};
+}
+
+/// Whether an accessor has data of its own.
+bool hasData(const Json& root, const Json& primitive) {
+    const Pointer position("/attributes/POSITION");
+    if (!primitive.contains(position) || !primitive[position].is_number_integer()) return true;
+    const auto index = primitive[position].get<std::size_t>();
+    const Json& accessors = elements(root, "accessors");
+    return index >= accessors.size() || accessors[index].contains("bufferView") || accessors[index].contains("sparse");
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 8;
+    if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
+    return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + most, ", "), names.size() - most);
+}
+
+}  // namespace
+
+void refuseUnsupportedExtensions(const Json& root) {
+    for (const std::string& name : namesIn(root, "extensionsRequired", true))
+        if (!isRead(name) && !changesLooksAlone(name))
+            throw Error(
+                fmt::format("needs the glTF extension {}, which is not supported (supported: {}, and those that "
+                            "change looks alone)",
+                            oneLine(name, 60), fmt::join(readExtensions, ", ")));
+}
+
+void refuseCompressedGeometry(const Json& root) {
+    std::size_t number = 0;
+    for (const Json& mesh : elements(root, "meshes")) {
+        for (const Json& primitive : elements(mesh, "primitives"))
+            if (const std::string_view name = compressionOf(primitive); !name.empty() && !hasData(root, primitive))
+                throw Error(
+                    fmt::format("mesh {} is compressed with {}, which is not supported, and is there in no "
+                                "other form",
+                                number, name));
+        ++number;
+    }
+    number = 0;
+    for (const Json& buffer : elements(root, "buffers")) {
+        if (const std::string_view name = compressionOf(buffer); !name.empty() && !buffer.contains("uri"))
+            throw Error(
+                fmt::format("buffer {} is compressed with {}, which is not supported, and is there in no other "
+                            "form",
+                            number, name));
+        ++number;
+    }
+}
+
+std::vector<std::string> notesOnExtensions(const Json& root) {
+    std::set<std::string> used;
+    for (const char* list : {"extensionsUsed", "extensionsRequired"})
+        for (const std::string& name : namesIn(root, list, false)) used.insert(oneLine(name, 60));
+    std::vector<std::string> looks, others, notes;
+    for (const std::string& name : used) {
+        if (isRead(name) || name == "KHR_animation_pointer") continue;
+        (changesLooksAlone(name) ? looks : others).push_back(name);
+    }
+    if (!looks.empty())
+        notes.push_back(fmt::format("glTF extensions that change looks alone are left out: {}", listed(looks)));
+    if (!others.empty()) notes.push_back(fmt::format("glTF extensions are left out: {}", listed(others)));
+
+    std::size_t channels = 0;
+    std::set<std::string> driven;
+    const Pointer place("/target/extensions/KHR_animation_pointer/pointer");
+    for (const Json& animation : elements(root, "animations"))
+        for (const Json& channel : elements(animation, "channels")) {
+            if (!channel.is_object() || !channel.contains(place) || !channel[place].is_string()) continue;
+            ++channels;
+            driven.insert(oneLine(channel[place].get<std::string>(), 80));
+        }
+    if (channels > 0)
+        notes.push_back(fmt::format("{} animated {} left out (KHR_animation_pointer): {}", channels,
+                                    channels == 1 ? "property is" : "properties are",
+                                    listed({driven.begin(), driven.end()})));
+    return notes;
+}
+
+}  // namespace timeshade::gltf
