@@ -9,6 +9,7 @@
 #include "cases/closed_form_cases.h"
 #include "core/error.h"
 #include "scene/gltf_scene.h"
+#include "scene_memory.h"
 
 namespace timeshade {
 
@@ -75,6 +76,7 @@ std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::strin
     }
     GltfOptions options;
     options.clip = clip;
+    options.memoryLimit = sceneMemoryLimit();
     std::string known;
     for (const BuiltInScene& scene : builtInScenes()) {
         if (scene.name == nameOrPath) return loadGltf(sceneDirectory() / (scene.name + ".glb"), options);

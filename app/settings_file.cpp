@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/json_limits.h"
+#include "core/one_line.h"
 #include "json_lines.h"
 
 namespace timeshade {
@@ -58,7 +59,7 @@ void requireAllowed(const std::string& key, const std::string& place) {
         throw Error(
             fmt::format("{}: \"{}\" is not a setting of a file; expected options that say what to draw, not "
                         "where to write or on which device",
-                        place, key));
+                        place, oneLine(key)));
 }
 
 nlohmann::json parsed(const std::string& text, const std::string& path) {

@@ -1,5 +1,6 @@
 #include "frame/buffer_check.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace {
 
 struct Readback {
     GLenum format = 0;  ///< 0: not floats
-    std::size_t channels = 0;
+    int channels = 0;
 };
 
 Readback readbackOf(GLenum internalFormat) {
@@ -25,21 +26,31 @@ Readback readbackOf(GLenum internalFormat) {
     }
 }
 
+/// Floats read at a time. Little enough to stay in the caches: a buffer as large as the texture costs more to come by
+/// than to look through.
+constexpr int floatsAtATime = 1 << 16;
+
 }  // namespace
 
 void requireFinite(const gl::Texture& texture, const std::string& what, float low, float high) {
     const Readback readback = readbackOf(texture.format());
-    if (readback.format == 0) return;
-    std::vector<float> values(texture.bytes() / sizeof(float));
-    glGetTextureImage(texture.name(), 0, readback.format, GL_FLOAT, static_cast<GLsizei>(texture.bytes()),
-                      values.data());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (values[i] >= low && values[i] <= high) continue;  // false for a NaN
-        const std::size_t texel = i / readback.channels, width = static_cast<std::size_t>(texture.width()),
-                          height = static_cast<std::size_t>(texture.height());
-        throw Error(fmt::format("{}: {} at column {}, row {}, layer {}; expected a number from {:g} to {:g}", what,
-                                values[i], texel % width, texel / width % height, texel / (width * height), low, high));
-    }
+    if (readback.format == 0 || texture.bytes() == 0) return;
+    const int width = texture.width(), perRow = width * readback.channels;
+    const int rowsAtATime = std::max(1, floatsAtATime / perRow);
+    std::vector<float> values(static_cast<std::size_t>(perRow) * static_cast<std::size_t>(rowsAtATime));
+    for (int layer = 0; layer < texture.layers(); ++layer)
+        for (int row = 0; row < texture.height(); row += rowsAtATime) {
+            const int rows = std::min(rowsAtATime, texture.height() - row);
+            glGetTextureSubImage(texture.name(), 0, 0, row, layer, width, rows, 1, readback.format, GL_FLOAT,
+                                 static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+            for (int i = 0; i < rows * perRow; ++i) {
+                const float value = values[static_cast<std::size_t>(i)];
+                if (value >= low && value <= high) continue;  // false for a NaN
+                throw Error(fmt::format("{}: {} at column {}, row {}, layer {}; expected a number from {:g} to {:g}",
+                                        what, value, i % perRow / readback.channels, row + i / perRow, layer, low,
+                                        high));
+            }
+        }
 }
 
 }  // namespace timeshade

@@ -35,6 +35,12 @@ void rejectBacks(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
+void rejectExcepted(const RTCFilterFunctionNArguments* arguments) {
+    const unsigned n = arguments->N;
+    for (unsigned i = 0; i < n; ++i)
+        if (RTCHitN_primID(arguments->hit, n, i) == RTCRayN_id(arguments->ray, n, i)) arguments->valid[i] = 0;
+}
+
 void fill(RTCRayHit8& rays, int* valid, const RayPacket& packet) {
     for (int lane = 0; lane < RayPacket::size; ++lane) {
         valid[lane] = packet.active[lane] ? -1 : 0;
@@ -47,6 +53,7 @@ void fill(RTCRayHit8& rays, int* valid, const RayPacket& packet) {
         rays.ray.tnear[lane] = packet.low;
         rays.ray.tfar[lane] = packet.high;
         rays.ray.time[lane] = std::clamp(packet.time[lane], 0.0f, 1.0f);  // Embree knows no others
+        rays.ray.id[lane] = packet.except[lane];
         rays.ray.mask[lane] = ~0u;
         rays.ray.flags[lane] = 0;
         rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
@@ -111,6 +118,7 @@ EmbreeScene::EmbreeScene(const FramePlan& plan) : texels_(plan.texels), device_(
 PacketHits EmbreeScene::firstHits(const RayPacket& packet) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    context.filter = rejectExcepted;
     return trace(scene_.get(), packet, &context);
 }
 

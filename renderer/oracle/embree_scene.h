@@ -19,6 +19,9 @@ struct RayPacket {
     glm::vec3 from[size];
     glm::vec3 direction[size];
     float time[size] = {};
+    /// A triangle that firstHits does not meet, or none.
+    std::uint32_t except[size] = {NO_TRIANGLE, NO_TRIANGLE, NO_TRIANGLE, NO_TRIANGLE,
+                                  NO_TRIANGLE, NO_TRIANGLE, NO_TRIANGLE, NO_TRIANGLE};
     float low = 0.0f, high = 1.0f;  ///< part of the rays that counts
 };
 
@@ -37,8 +40,9 @@ class EmbreeScene {
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
+    /// The nearest hit of each ray but those of its own `except`.
     PacketHits firstHits(const RayPacket& packet) const;
-    /// The same, but one-sided triangles are not met from behind.
+    /// The nearest of all hits but those of one-sided triangles from behind.
     PacketHits firstSeen(const RayPacket& packet) const;
 
   private:

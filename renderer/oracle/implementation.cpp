@@ -38,6 +38,7 @@ void Oracle::Implementation::testLanes(Receiver* receivers, const std::uint32_t*
         packet.from[lane] = glm::vec3(receiver.answer.position);
         packet.direction[lane] = glm::vec3(receiver.light - receiver.answer.position);
         packet.time[lane] = receiver.answer.time;
+        packet.except[lane] = ids[lane];  // a rounded point lies behind its own plane as often as not
         any = any || receiver.answer.tested;
     }
     if (!any) return;
@@ -46,7 +47,7 @@ void Oracle::Implementation::testLanes(Receiver* receivers, const std::uint32_t*
     for (int lane = 0; lane < lanes; ++lane) {
         if (!packet.active[lane]) continue;
         const bool doubtful =
-            hits.hit[lane] && (hits.triangle[lane] == ids[lane] || hits.distance[lane] < doubtfulDistance ||
+            hits.hit[lane] && (hits.distance[lane] < doubtfulDistance ||
                                hits.distance[lane] > 1.0f - doubtfulDistance || hits.leastBarycentric[lane] < nearEdge);
         if (doubtful)
             receivers[lane].answer = resolve(receivers[lane], ids[lane]);

@@ -56,6 +56,7 @@ std::shared_ptr<const std::vector<double>> readTimes(const Model& model, int acc
     auto& known = cache.times[accessor];
     if (known) return known;
     const std::vector<float> read = readFloats(model, accessor, 1, Integers::Forbidden, what + " key times");
+    model.memory->take(read.size(), sizeof(double), what + " key times");
     std::vector<double> times(read.begin(), read.end());
     for (std::size_t i = 0; i < times.size(); ++i) {
         if (times[i] > 1e7) throw Error(fmt::format("{}: key {} lies at {} s, the limit is 1e7 s", what, i, times[i]));

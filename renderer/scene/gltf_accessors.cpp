@@ -60,6 +60,7 @@ template <typename Number>
 std::vector<Number> readElements(const Model& model, const Accessor& accessor, const std::string& what) {
     const auto components = static_cast<std::size_t>(accessor.components);
     const std::size_t size = byteSize(accessor.type) * components;
+    model.memory->take(accessor.count, components * sizeof(Number), what);
     std::vector<Number> values(static_cast<std::size_t>(accessor.count) * components);
     if (accessor.view >= 0) {
         const std::uint64_t stride = model.views[static_cast<std::size_t>(accessor.view)].stride;
@@ -69,6 +70,7 @@ std::vector<Number> readElements(const Model& model, const Accessor& accessor, c
     if (!accessor.sparse || accessor.sparse->count == 0) return values;
 
     const SparseValues& sparse = *accessor.sparse;
+    model.memory->take(sparse.count, sizeof(std::uint32_t), what);
     std::vector<std::uint32_t> places(sparse.count);
     decodeAs(sparse.indexType, bytesOf(model, sparse.indexView).data() + sparse.indexOffset, sparse.count,
              byteSize(sparse.indexType), 1, false, places.data());

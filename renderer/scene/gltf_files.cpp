@@ -103,7 +103,7 @@ bool isContentAddress(std::string_view name) {
 
 }  // namespace
 
-Bytes readRegularFile(const fs::path& path, std::size_t limit) {
+Bytes readRegularFile(const fs::path& path, std::size_t limit, MemoryBudget& memory) {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (!fs::exists(status)) throw Error("there is no such file");
@@ -112,6 +112,7 @@ Bytes readRegularFile(const fs::path& path, std::size_t limit) {
     const std::uintmax_t size = fs::file_size(path, failure);
     if (failure) throw Error("its size cannot be read: " + failure.message());
     if (size > limit) throw Error(fmt::format("has {} bytes, the limit is {}", size, limit));
+    memory.take(1, size, "the bytes of " + oneLine(path.filename().string(), 50));
 
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error("cannot be opened for reading");
@@ -146,13 +147,14 @@ std::shared_ptr<const Bytes> FilesBeside::read(const std::string& uri) {
     try {
         if (uri.starts_with("data:")) {
             if (uri.size() / 4 * 3 > left_) throw Error("exceeds the limit on bytes of buffers");
+            memory_->take(1, uri.size() / 4 * 3, "the bytes of data URIs");
             auto bytes = std::make_shared<const Bytes>(decodeDataUri(uri));
             left_ -= std::min(left_, bytes->size());
             return bytes;
         }
         const fs::path file = resolve(uri);
         if (const auto found = known_.find(file); found != known_.end()) return found->second;
-        auto bytes = std::make_shared<const Bytes>(readRegularFile(file, left_));
+        auto bytes = std::make_shared<const Bytes>(readRegularFile(file, left_, *memory_));
         left_ -= bytes->size();
         known_.emplace(file, bytes);
         return bytes;

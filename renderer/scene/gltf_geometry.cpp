@@ -145,6 +145,9 @@ Geometry readGeometry(const Model& model, const Primitive& primitive, std::size_
     const auto vertexCount = static_cast<std::size_t>(countOf(model, primitive.position));
     geometry.positions = readPositions(model, primitive.position, vertexCount, what + " POSITION");
     geometry.triangles = readTriangles(model, primitive, vertexCount, what);
+    // Also what is worked out where the file has none: normals, texture coordinates, triangles of lists of corners.
+    model.memory->take(vertexCount, sizeof(glm::vec3) + sizeof(glm::vec2), what);
+    model.memory->take(geometry.triangles.size(), sizeof(glm::u32vec3), what);
     geometry.normals = readNormals(model, primitive, geometry, what);
     geometry.textureCoordinates = readAttribute<glm::vec2>(model, primitive.textureCoordinates, Integers::Quantized,
                                                            vertexCount, what + " TEXCOORD_0");
@@ -168,6 +171,10 @@ void spend(std::size_t& used, std::uint64_t amount, const Budget& budget, const 
     used += static_cast<std::size_t>(amount);
 }
 
+// What one more vertex and one more triangle of an instance take, as measured: in the topology and the poses that are
+// compared while loading, in a frame's two ends, packed for the device and in its buffers.
+constexpr std::uint64_t bytesPerVertex = 480, bytesPerTriangle = 700;
+
 void spendOnPrimitive(const Model& model, const Primitive& primitive, Budget& budget) {
     const std::uint64_t vertices = countOf(model, primitive.position);
     const std::uint64_t corners = primitive.indices >= 0 ? countOf(model, primitive.indices) : vertices;
@@ -175,7 +182,8 @@ void spendOnPrimitive(const Model& model, const Primitive& primitive, Budget& bu
     // Targets are stored per mesh, their weights per node; counting per node bounds both.
     for (std::size_t target = 0; target < primitive.targets.size(); ++target)
         spend(budget.morphs, vertices, budget, "vertices of morph targets");
-    spend(budget.triangles, primitive.mode == TriangleList ? corners / 3 : corners, budget, "triangles");
+    const std::uint64_t triangles = primitive.mode == TriangleList ? corners / 3 : corners;
+    spend(budget.triangles, triangles, budget, "triangles");
 }
 
 }  // namespace
@@ -194,6 +202,8 @@ std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget bud
         const std::size_t joints = model.skins[static_cast<std::size_t>(node.skin)].joints.size();
         jointCounts[mesh] = jointCounts[mesh] == 0 ? joints : std::min(jointCounts[mesh], joints);
     }
+    model.memory->take(budget.vertices, bytesPerVertex, "its vertices over all instances");
+    model.memory->take(budget.triangles, bytesPerTriangle, "its triangles over all instances");
 
     std::vector<std::vector<Geometry>> geometries(model.meshes.size());
     std::size_t skipped = 0;

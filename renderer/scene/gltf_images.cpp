@@ -19,14 +19,16 @@ namespace timeshade::gltf {
 namespace {
 
 constexpr std::size_t largestTotal = std::size_t{1} << 30;  // bytes of decoded images
+constexpr std::size_t copiesOfAnImage = 3;                  // here, and as a texture with smaller levels
 
 /// Whatever is tried counts, so that many images that fail at their end cannot cost more than those that are good.
-Image decode(std::span<const std::uint8_t> bytes, std::size_t& budget) {
+Image decode(std::span<const std::uint8_t> bytes, std::size_t& budget, MemoryBudget& memory) {
     ImageLimits limits;
-    limits.bytes = budget;
+    limits.bytes = std::min<std::size_t>(budget, memory.left() / copiesOfAnImage);
     budget -= std::min(budget, bytes.size());
     ForeignImage decoded = decodeImage(bytes, limits);
     budget -= std::min(budget, decoded.rgba.size());
+    memory.take(copiesOfAnImage, decoded.rgba.size(), "its images");
     Image image;
     image.width = decoded.width;
     image.height = decoded.height;
@@ -59,8 +61,8 @@ class ImageShelf {
         try {
             std::shared_ptr<const Bytes> file;
             if (source.view < 0) file = files_.read(source.uri);
-            Image image =
-                decode(source.view < 0 ? std::span<const std::uint8_t>(*file) : bytesOf(model_, source.view), budget_);
+            Image image = decode(source.view < 0 ? std::span<const std::uint8_t>(*file) : bytesOf(model_, source.view),
+                                 budget_, *model_.memory);
             image.name = source.name;
             images.push_back(std::move(image));
             return static_cast<int>(images.size()) - 1;

@@ -16,6 +16,9 @@ namespace {
 std::vector<SkinBinding> readSkins(const Model& model) {
     std::vector<SkinBinding> skins;
     for (const Skin& skin : model.skins) {
+        // Bindings, and the joints' matrices of a pose.
+        model.memory->take(skin.joints.size(), sizeof(int) + sizeof(glm::dmat4) + sizeof(glm::dmat4x3),
+                           fmt::format("skin {} joints", skins.size()));
         SkinBinding binding{skin.joints, std::vector<glm::dmat4>(skin.joints.size(), glm::dmat4(1.0))};
         if (skin.inverseBindMatrices >= 0) {
             const std::string what = fmt::format("skin {} inverse bind matrices", skins.size());

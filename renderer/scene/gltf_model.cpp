@@ -272,6 +272,7 @@ glm::dmat4 LocalTransform::matrix() const {
 Model readModel(const Document& document) {
     const tinygltf::Model from = parseStructure(document);
     Model to;
+    to.memory = document.memory;
     for (const auto& view : from.bufferViews)
         to.views.push_back({view.buffer, view.byteOffset, view.byteLength, view.byteStride});
     for (const auto& accessor : from.accessors) to.accessors.push_back(convert(accessor, to.accessors.size()));

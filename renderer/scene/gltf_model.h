@@ -176,6 +176,7 @@ struct Model {
     std::vector<std::vector<int>> scenes;  ///< root nodes of each
     int scene = -1;                        ///< the one that is shown; -1: all roots
     std::vector<std::string> notes;        ///< on what is left out or replaced
+    std::shared_ptr<MemoryBudget> memory;  ///< what is made of the model is counted here before it is allocated
 };
 
 /// Converts the JSON. Checks only what this struct needs; validate() checks the rest.

@@ -299,8 +299,9 @@ Clip chooseClip(const Model& model, const std::string& wanted, ClipNames& names,
 }
 
 std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions& options) {
-    const Document document = readDocument(path, options.maxBufferBytes);
-    FilesBeside files(path.parent_path(), options.maxBufferBytes);
+    const auto memory = std::make_shared<MemoryBudget>(options.memoryLimit);
+    const Document document = readDocument(path, options.maxBufferBytes, memory);
+    FilesBeside files(path.parent_path(), options.maxBufferBytes, memory);
     Model model = readModel(document);
     loadBuffers(model, document, files);
     validate(model);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "core/memory_budget.h"
 #include "scene/scene.h"
 
 namespace timeshade {
@@ -13,6 +15,9 @@ struct GltfOptions {
     /// Files that need more triangles or vertices, or more bytes of buffers, are refused with an Error.
     std::size_t maxTriangles = 20'000'000;
     std::size_t maxBufferBytes = std::size_t{2} << 30;
+    /// So are files whose scene needs more bytes than this: JSON, buffers, images, keys, joints, and triangles,
+    /// vertices and morph targets over all instances, each by what it expands to and before it is allocated.
+    std::uint64_t memoryLimit = quarterOfMemory();
 };
 
 /// Reads a .gltf or .glb file. The result is a valid scene (indices in range, finite positions, unit normals, weights

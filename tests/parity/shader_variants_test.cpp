@@ -1,19 +1,15 @@
-// Every shader that any frame is drawn with, in every variant, is handed to an independent compiler, glslangValidator:
+// Every shader that any frame is drawn with, in every variant, is handed to an independent compiler, glslang:
 // drivers forgive much that the language does not allow.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
 
+#include "shader_validator.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "support/striped_technique.h"
@@ -153,45 +149,6 @@ void drawEverything() {
     }
 }
 
-struct Verdict {
-    bool good = false;
-    std::string words;
-};
-
-/// A temporary folder that is deleted with the object.
-class Workplace {
-  public:
-    Workplace() {
-        std::string name = (fs::temp_directory_path() / "timeshade-shaders-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        folder_ = name;
-    }
-    ~Workplace() { fs::remove_all(folder_); }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-
-    /// Compiles each stage as desktop OpenGL (not Vulkan) and links them. Stages: "vert", "frag", ...
-    Verdict validate(const std::vector<std::pair<std::string, std::string>>& stages) const {
-        std::string command = "glslangValidator -l";
-        for (const auto& [stage, text] : stages) {
-            const fs::path path = folder_ / ("shader." + stage);
-            std::ofstream(path) << text;
-            command += " '" + path.string() + "'";
-        }
-        Verdict verdict;
-        std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-        if (pipe == nullptr) return verdict;
-        std::array<char, 4096> part;
-        for (std::size_t count; (count = std::fread(part.data(), 1, part.size(), pipe)) > 0;)
-            verdict.words.append(part.data(), count);
-        verdict.good = pclose(pipe) == 0;
-        return verdict;
-    }
-
-  private:
-    fs::path folder_;
-};
-
 std::string nameOf(const gl::ProgramDescription& program) {
     std::string name;
     for (const std::string& stage : program.stages()) name += (name.empty() ? "" : " + ") + stage;
@@ -215,23 +172,21 @@ std::map<std::string, std::set<std::string>> variantsByFile() {
 }
 
 TEST(ShaderVariants, TheValidatorIsThereAndRefuses) {
-    const Workplace workplace;
     const std::string good = "#version 450 core\nvoid main() { gl_Position = vec4(1.0); }\n";
     const std::string wrong = "#version 450 core\nvoid main() { gl_Position = vec4(undeclared); }\n";
-    const Verdict verdict = workplace.validate({{"vert", good}});
-    ASSERT_TRUE(verdict.good) << "glslangValidator does not run: " << verdict.words;
-    EXPECT_FALSE(workplace.validate({{"vert", wrong}}).good);
+    const ShaderVerdict verdict = validateShaders({{"vert", good}});
+    ASSERT_TRUE(verdict.good) << "glslang refuses what is right: " << verdict.words;
+    EXPECT_FALSE(validateShaders({{"vert", wrong}}).good);
     // An input that no earlier stage writes is found only by linking.
     const std::string orphan =
         "#version 450 core\nflat in uint x;\nlayout(location = 0) out uint y;\nvoid main() { y = x; }\n";
-    EXPECT_TRUE(workplace.validate({{"frag", orphan}}).good);
+    EXPECT_TRUE(validateShaders({{"frag", orphan}}).good);
     const std::string other =
         "#version 450 core\nflat out vec2 x;\nvoid main() { x = vec2(0.0); gl_Position = vec4(1.0); }\n";
-    EXPECT_FALSE(workplace.validate({{"vert", other}, {"frag", orphan}}).good);
+    EXPECT_FALSE(validateShaders({{"vert", other}, {"frag", orphan}}).good);
 }
 
 void everyProgramOfEveryFrameIsValid() {
-    const Workplace workplace;
     std::set<std::string> checked;
     for (const gl::ProgramDescription& program : gl::programsBuilt()) {
         if (!checked.insert(nameOf(program)).second) continue;
@@ -239,7 +194,7 @@ void everyProgramOfEveryFrameIsValid() {
         for (const std::string& path : program.stages())
             stages.emplace_back(fs::path(path).extension().string().substr(1),
                                 gl::readShader(path, program.defines).text);
-        const Verdict verdict = workplace.validate(stages);
+        const ShaderVerdict verdict = validateShaders(stages);
         EXPECT_TRUE(verdict.good) << nameOf(program) << "\n" << verdict.words;
     }
     EXPECT_GE(checked.size(), 40u);
