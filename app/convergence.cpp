@@ -91,6 +91,7 @@ ConvergenceReferences measureCurves(FrameRenderer& renderer, FramePlanner& plann
 /// Measures one scene and writes its table, chart and details; what the report says of it.
 std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options, const std::string& name,
                          const std::vector<int>& frames, std::vector<ConvergenceCurve> curves) {
+    requireStrata(options, "--convergence");
     const std::unique_ptr<Scene> scene = openScene(name, options.clip, options.settings);
     FramePlanner planner(*scene);
     FrameRequest request = requestFor(options, *scene);

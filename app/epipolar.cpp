@@ -55,6 +55,7 @@ std::string caption(const EpipolarView& view) {
 }  // namespace
 
 int runEpipolar(const EpipolarOptions& options) {
+    requireStrata(options, "the epipolar view");
     requireWritable(options.output);
     if (!options.json.empty()) requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);

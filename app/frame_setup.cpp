@@ -54,6 +54,12 @@ FrameRequest requestFor(const FrameOptions& options, const Scene& scene) {
     return options.instant ? atInstant(request, *options.instant) : request;
 }
 
+void requireStrata(const FrameOptions& options, const std::string& what) {
+    if (options.samples == CameraSamples::Intervals)
+        throw UsageError(
+            fmt::format("--samples intervals: {} needs camera samples that have a time each; expected strata", what));
+}
+
 void setResponse(FrameOptions& options, const Shutter& shutter) {
     const bool hasWidth = shutter.response == ShutterResponse::Gaussian && shutter.width != Shutter{}.width;
     options.shutterResponse = shutter.response;

@@ -252,6 +252,7 @@ int runInteractive(const ViewOptions& options) {
         throw UsageError(
             "--context: the window makes its own context; expected auto or window (egl and osmesa are for headless "
             "commands)");
+    requireStrata(options, "the window");
     if (!options.json.empty()) requireWritable(options.json);
     std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     const FrameRequest request = requestFor(options, *scene);

@@ -90,6 +90,8 @@ void requireBinary(const Technique& technique) {
 }  // namespace
 
 int runVerify(const VerifyOptions& options) {
+    if (!options.dump.empty()) requireStrata(options, "--dump");
+    if (options.maxPpm) requireStrata(options, "--max-ppm");
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
     const FrameRequest given = requestFor(options, *scene);

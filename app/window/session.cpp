@@ -109,6 +109,7 @@ void Session::invalidateAll() {
 }
 
 void Session::become(const PictureOptions& wanted) {
+    requireStrata(wanted, "the window");
     std::unique_ptr<Scene> opened = timeshade::openScene(wanted.scene, wanted.clip, wanted.settings);
     requestFor(wanted, *opened);  // throws for a camera that is not there
     std::unique_ptr<Technique> made = techniqueFor(wanted, renderer.programs());

@@ -48,8 +48,8 @@ vec3 cameraRayAt(vec2 position, float u) {
                (cameraView.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
 }
 
-// Where the camera ray through an image position meets the triangle's plane at time u. The same arithmetic as the sample
-// pass.
+// Where the camera ray through an image position meets the triangle's plane at time u. The same arithmetic as the
+// sample pass.
 Receiver receiverOnRay(MovingTriangle t, uint id, vec2 position, float u) {
     vec3 v0 = inCameraAt(t.open0, t.close0, u);
     vec3 v1 = inCameraAt(t.open1, t.close1, u);

@@ -165,7 +165,8 @@ EdgeChanges edgeChanges(vec2 place, SeenTriangle t) {
 OrderChanges orderChanges(vec2 place, ViewPath a, ViewPath b, bool isStatic, float staticDistance, bool isFirst,
                           float u0, float u1) {
     TurningPolynomials mine = polynomialsOf(a, place);
-    Bernstein depth = bernsteinProduct(bernsteinConstant(staticDistance), rayDepth(place)), area = bernsteinConstant(1.0);
+    Bernstein depth = bernsteinProduct(bernsteinConstant(staticDistance), rayDepth(place));
+    Bernstein area = bernsteinConstant(1.0);
     ONLY_IF(!isStatic) {
         TurningPolynomials theirs = polynomialsOf(b, place);
         depth = theirs.depth;

@@ -21,8 +21,8 @@
 #define SEEN_COUNTS_BINDING 1
 #define SEEN_STATES_BINDING 2
 
-#define SEEN_PARTS_IN_ROW 2048u     // values of parts lie in rows of a texture
-#define SEEN_NO_PLACE 0xffffffffu   // of a record between chunks of parts
+#define SEEN_PARTS_IN_ROW 2048u    // values of parts lie in rows of a texture
+#define SEEN_NO_PLACE 0xffffffffu  // of a record between chunks of parts
 #define SEEN_PARTS_GO_ON 0x80000000u
 #define LIST_SCAN_BLOCK 1024  // cells that one work group of the scan sees
 

@@ -3,7 +3,8 @@
 #endif
 #include "shared/cubic.shared.h"
 
-// So many are looked at: five changes take less. Only rounding makes more, where next to nothing is left of a difference.
+// So many are looked at: five changes take less. Only rounding makes more, where next to nothing is left of a
+// difference.
 #define QUINTIC_PIECES 300
 
 SHARED_BEGIN
@@ -18,10 +19,8 @@ SHARED_FUNCTION Quintic quinticProduct(vec4 p, vec3 q) {
     const float tenth = SHARED_FLOAT(0.1), fifth = SHARED_FLOAT(0.2);
     SHARED_PRECISE float b0 = p.x * q.x;
     SHARED_PRECISE float b1 = fifth * (SHARED_FLOAT(2.0) * p.x * q.y + SHARED_FLOAT(3.0) * p.y * q.x);
-    SHARED_PRECISE float b2 =
-        tenth * (p.x * q.z + SHARED_FLOAT(6.0) * p.y * q.y + SHARED_FLOAT(3.0) * p.z * q.x);
-    SHARED_PRECISE float b3 =
-        tenth * (SHARED_FLOAT(3.0) * p.y * q.z + SHARED_FLOAT(6.0) * p.z * q.y + p.w * q.x);
+    SHARED_PRECISE float b2 = tenth * (p.x * q.z + SHARED_FLOAT(6.0) * p.y * q.y + SHARED_FLOAT(3.0) * p.z * q.x);
+    SHARED_PRECISE float b3 = tenth * (SHARED_FLOAT(3.0) * p.y * q.z + SHARED_FLOAT(6.0) * p.z * q.y + p.w * q.x);
     SHARED_PRECISE float b4 = fifth * (SHARED_FLOAT(3.0) * p.z * q.z + SHARED_FLOAT(2.0) * p.w * q.y);
     SHARED_PRECISE float b5 = p.w * q.z;
     return Quintic(vec3(b0, b1, b2), vec3(b3, b4, b5));
@@ -112,9 +111,21 @@ struct QuinticChanges {
     int pieces;  // that were looked at
 };
 
+/// The change of sign between `low` and `high`, of which there is one: by halving, to 2^-24, by the value's own sign.
+SHARED_FUNCTION float quinticChange(Quintic p, float low, float high, bool positiveAtLow) {
+    for (int i = 0; i < 25 && high - low > SHARED_FLOAT(5.9604645e-8); ++i) {
+        float middle = SHARED_FLOAT(0.5) * (low + high);
+        if ((quinticAt(p, middle) > SHARED_FLOAT(0.0)) == positiveAtLow)
+            low = middle;
+        else
+            high = middle;
+    }
+    return SHARED_FLOAT(0.5) * (low + high);
+}
+
 /// Dyadic pieces are looked at from left to right, and halved while their coefficients change their sign more than once
-/// (Descartes' rule, in Bernstein form: Collins and Akritas 1976); a piece with one change is halved down to 2^-24 by
-/// the signs of its ends. A piece of 2^-20 whose coefficients still change their sign more than once is taken for one
+/// (Descartes' rule, in Bernstein form: Collins and Akritas 1976); in a piece with one change it is found by
+/// halving, to 2^-24. A piece of 2^-20 whose coefficients still change their sign more than once is taken for one
 /// change where its ends differ, and for none where they do not: two changes nearer than that are missed as a pair.
 /// `doubt`: coefficients that are no larger have no sign; what is all in doubt does not change. Swapping all signs
 /// gives the same times.
@@ -129,12 +140,13 @@ SHARED_FUNCTION QuinticChanges quinticChanges(Quintic p, float doubt) {
         float first = before != zero ? before : signs.first;  // ends that two pieces share round to two values
         bool changes = first * signs.last < zero;
         float least = changes ? SHARED_FLOAT(5.9604645e-8) : SHARED_FLOAT(9.5367432e-7);
-        if ((changes || signs.variations > 1u) && width > least) {
+        bool isSingle = changes && signs.variations <= 1u;
+        if (!isSingle && (changes || signs.variations > 1u) && width > least) {
             width *= SHARED_FLOAT(0.5);
             continue;
         }
         if (changes) {
-            float at = begin + SHARED_FLOAT(0.5) * width;
+            float at = quinticChange(p, begin, begin + width, first > zero);
             if (count == 0u) found.first.x = at;
             if (count == 1u) found.first.y = at;
             if (count == 2u) found.first.z = at;

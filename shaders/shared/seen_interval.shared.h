@@ -17,7 +17,7 @@ struct ViewPath {
 /// a view that turns.
 struct TurningPolynomials {
     Bernstein edge0, edge1, edge2;  // edgeFunctions; degree 4
-    Bernstein depth;                // sum of edge times depth: the depth is this over the edges' sum, and over the ray's z
+    Bernstein depth;  // sum of edge times depth: the depth is this over the edges' sum, and over the ray's z
 };
 
 SHARED_FUNCTION float crossOf2(vec2 a, vec2 b) {
@@ -128,8 +128,8 @@ SHARED_FUNCTION Quintic orderOf(DepthAlongRay a, DepthAlongRay b) {
     return quinticDifference(quinticProduct(a.depth, b.area), quinticProduct(b.depth, a.area));
 }
 
-/// How far orderOf may be off: 2^-20 of its terms, and of two whose edges are much longer than their areas, 2^-20 of the
-/// edges' products times how far apart the depths are. Two that lie in one plane differ by no more.
+/// How far orderOf may be off: 2^-20 of its terms, and of two whose edges are much longer than their areas, 2^-20 of
+/// the edges' products times how far apart the depths are. Two that lie in one plane differ by no more.
 SHARED_FUNCTION float orderDoubt(DepthAlongRay a, DepthAlongRay b, float depthSpan) {
     vec4 depthA = abs(a.depth), depthB = abs(b.depth);
     vec3 areaA = abs(a.area), areaB = abs(b.area);
@@ -140,9 +140,7 @@ SHARED_FUNCTION float orderDoubt(DepthAlongRay a, DepthAlongRay b, float depthSp
 }
 
 /// Its sign changes where the depth passes `least`.
-SHARED_FUNCTION vec4 beyondDepth(DepthAlongRay a, float least) {
-    return a.depth - cubicProduct(a.area, least, least);
-}
+SHARED_FUNCTION vec4 beyondDepth(DepthAlongRay a, float least) { return a.depth - cubicProduct(a.area, least, least); }
 
 /// Of a view that turns, whose ray goes from ray0 to ray1: degree 4, the cubic det[ray, v, v] times the ray's z.
 SHARED_FUNCTION TurningPolynomials turningPolynomials(ViewPath v, vec3 ray0, vec3 ray1) {

@@ -37,6 +37,8 @@ class BadArguments(ProgramTest):
                        "640*480", "99999999999x1", "nanxnan", "640.5x480", ""),
             "--shutter-position": ("middle", "2", "Start", ""),
             "--shutter-response": ("triangle", "1", "Tent", ""),
+            "--samples": ("both", "Intervals", "1", ""),
+            "--time-strata": ("0", "-1", "33", "2.5", *numbers),
             "--shutter-width": ("0", "0.04", "2.1", "-0.2", *numbers),
             "--context": ("glx", "2", "EGL", ""),
             "--view": ("wrong", "1", "Final", ""),
@@ -56,6 +58,15 @@ class BadArguments(ProgramTest):
         for response in ((), ("--shutter-response", "box"), ("--shutter-response", "tent")):
             self.refuse_usage(("--shutter-width 0.2", "expected", "--shutter-response gaussian"), *SHOT,
                               "--shutter-width", "0.2", *response)
+
+    def test_interval_samples_have_no_time(self):
+        """What is about camera samples and their times is refused, not drawn of something else."""
+        intervals = ("--samples", "intervals")
+        for arguments in (("verify", "crossing", "--technique", "exact", "--max-ppm", "1"),
+                          ("verify", "crossing", "--technique", "exact", "--dump", "D"),
+                          ("epipolar", "crossing", "-o", "F.png"), ("view", "crossing")):
+            with self.subTest(arguments=arguments):
+                self.refuse_usage(("--samples intervals", "expected strata"), *arguments, *intervals)
 
     def test_settings_of_techniques(self):
         for setting in ("", "=", "tsm", "tsm.bias", "tsm=1", ".bias=1", "tsm.bias=", "tsm.bias=nan", "tsm.bias=inf",

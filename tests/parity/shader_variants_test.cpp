@@ -112,6 +112,17 @@ void drawOntoCached() {
     }
 }
 
+/// Interval samples with what moves before the camera and without, by every technique that has them.
+void drawIntervalSamples(FrameRenderer& renderer, FramePlanner& planner, Technique& technique) {
+    if (technique.hasOwnLookup() || technique.renders() > 1) return;
+    FrameRequest request = ProceduralScene::request(16, 12, 2, 16, 1);
+    request.samples = CameraSamples::Intervals;
+    for (const View view : {View::Final, View::Visibility}) {
+        renderer.draw(planner.plan(request), technique, view);
+        renderer.readPicture();
+    }
+}
+
 /// Draws every case that makes a difference to a shader, on the shared renderer.
 void drawEverything() {
     FrameRenderer& renderer = sharedRenderer();
@@ -129,6 +140,7 @@ void drawEverything() {
             ASSERT_EQ(plan.light.projection == Projection::Orthographic, directional);
             for (const TechniqueDescription& description : techniqueDescriptions()) {
                 const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
+                drawIntervalSamples(renderer, planner, *technique);
                 forEveryCombination(*technique, [&] {
                     if (technique->unsupported(plan)) return;
                     for (const View view : {View::Final, View::Visibility}) {

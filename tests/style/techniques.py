@@ -18,6 +18,11 @@ THE_DEFAULT = ("app/options/technique_options.h", '"tsm')  # the technique that 
 ORDINARY = {
     "app/cases.cpp": ("exact",),  # the exact value of a case
     "renderer/measure/case_picture.cpp": ("exact",),
+    "app/options/frame_options.cpp": ("intervals",),  # interval samples of the camera
+    "app/options_text.cpp": ("intervals",),
+    "app/report.cpp": ("intervals",),
+    "renderer/measure/verification_json.cpp": ("intervals",),
+    "tests/cli/refusals_test.py": ("intervals",),
     "renderer/passes/light_maps.cpp": ("static",),  # static casters
     "renderer/techniques/interleaved/interleaved_shadow.cpp": ("layers",),  # of a texture
     "renderer/techniques/tsm/tsm_shadow.cpp": ("layers",),
@@ -34,6 +39,7 @@ ABOUT = {
     "tests/parity/shader_variants_test.cpp": ("exact", "integral", "interleaved", "tsm"),
     "tests/parity/technique_views_test.cpp": ("ranges",),
     "tests/technique/reload_test.cpp": ("exact",),  # changes its shader
+    "tests/technique/interval_samples_test.cpp": ("exact", "integral", "static"),  # solved and asked at instants
     "tests/technique/acne_test.cpp": ("interleaved", "ranges", "temporal", "tsm"),
     "tests/technique/closed_form_test.cpp": ("accumulation", "history", "interleaved", "tsm"),
     "tests/technique/history_converged_test.cpp": ("static",),

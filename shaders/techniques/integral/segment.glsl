@@ -40,8 +40,15 @@ bool facesAt(PointOnTriangle p, vec4 facing, vec4 towardsEye, float t) {
 TimeUnion facingAway(PointOnTriangle p) {
     TimeUnion away = emptyTimeUnion();
     QuadraticVector normal = crossCoefficients(p.open.edge1, p.close.edge1, p.open.edge2, p.close.edge2);
-    vec4 facing = dotCoefficients(towardsLight(p.open.position, p.open.time),
-                                  towardsLight(p.close.position, p.close.time), normal);
+#ifdef SOLVES_INTERVALS
+    // From a vertex: a chord leaves the triangle's plane.
+    vec3 open = mix(p.triangle.open0, p.triangle.close0, p.open.time),
+         close = mix(p.triangle.open0, p.triangle.close0, p.close.time);
+#else
+    vec3 open = p.open.position, close = p.close.position;
+#endif
+    vec4 facing =
+        dotCoefficients(towardsLight(open, p.open.time), towardsLight(close, p.close.time), normal);
     vec4 towardsEye = dotCoefficients(p.eyeOpen - p.open.position, p.eyeClose - p.close.position, normal);
     bool always = leastOf(facing) > 0.0 && (!p.triangle.doubleSided || leastOf(towardsEye) > 0.0);
     PieceTicks all = PieceTicks(0.0, TICKS, 0.0, TICKS);
@@ -142,6 +149,7 @@ ReceiverSegment segmentOn(MovingTriangle t, Receiver r, float u0, float u1) {
 
 #ifdef SOLVES_INTERVALS
 const float chordsOfPixel = 256.0;  // a chord may leave the path by so small a part of a pixel
+const float chordsOfWay = 16384.0;
 const int mostChords = 64;
 
 // What the ray of an image position sees of a triangle: the chord between two times.
@@ -181,7 +189,10 @@ int chordsOf(MovingTriangle t, Receiver open, Receiver close, vec2 position) {
         away = max(max(leavesChord(t, open, close, position, 0.25), leavesChord(t, open, close, position, 0.5)),
                    leavesChord(t, open, close, position, 0.75));
     }
-    float allowed = pixelWidthAt(close.position, close.time) / chordsOfPixel;
+    // A short way, as large pixels see it, is held to a share of itself, but nothing to less than its rounding.
+    float allowed = min(pixelWidthAt(close.position, close.time) / chordsOfPixel,
+                        length(close.position - open.position) / chordsOfWay);
+    allowed = max(allowed, 2.0 * (open.clearance + close.clearance));
     return clamp(int(ceil(sqrt(away / allowed))), 1, mostChords);
 }
 #endif
