@@ -202,7 +202,7 @@ TEST_P(IntervalSamplesOf, AreTheSameWithEverythingDynamic) {
 TEST_P(IntervalSamplesOf, NeverDropASegment) {
     const std::vector<SeenPart> once = segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "integral"));
     const ShaderCopy shaders;
-    shaders.apply({"lib/seen_partition.glsl", "SEGMENTS_TOGETHER 24", "SEGMENTS_TOGETHER 8"});
+    shaders.apply({"lib/seen_partition.glsl", "SEGMENTS_TOGETHER 24", "SEGMENTS_TOGETHER 12"});
     FrameRenderer renderer;
     expectSameSegments(once, segmentsOf(drawParts(renderer, *scene_, request_, "integral")), 0);
 }
