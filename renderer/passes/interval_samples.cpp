@@ -17,6 +17,7 @@ namespace {
 
 const std::string staticName = "interval samples: static";
 constexpr std::array<int, 4> roundsAtOnce{600, 2400, 150, 40};  // of the loops of one pixel
+constexpr int mostDraws = 200;                                  // of one position a pixel
 constexpr std::size_t bytesOfState = 5 * 4;                     // SeenState of passes/seen_segments.frag
 const std::string advice = "draw a smaller picture, or lower --spp";
 
@@ -162,12 +163,13 @@ void IntervalSamples::solve(const FramePlan& plan, const Fullscreen& fullscreen,
 void IntervalSamples::finishPosition(const gl::Program& program, const Fullscreen& fullscreen, std::uint32_t position) {
     Counts drawn;
     std::size_t tries = 0;
+    int draws = 0;
     do {
         program.set("roundsAtOnce", roundsAtOnce[tries]);
         drawPosition(program, fullscreen, position);
         drawn = takeCounts();
         tries = drawn.advances > 0 ? 0 : tries + 1;
-        if (drawn.unfinished > 0 && tries == roundsAtOnce.size())
+        if (drawn.unfinished > 0 && (tries == roundsAtOnce.size() || ++draws == mostDraws))
             throw LimitError(
                 fmt::format("{} positions see more triangles at once than this device's loops can sort: draw a larger "
                             "picture, or use --samples strata",

@@ -157,7 +157,7 @@ void walk(uvec2 pixel, vec2 inTile) {
     while (from < TICKS && partitionRounds < roundsAtOnce) {
         float end = endOfBucket(from);
         beginPartition();
-        insertCandidates(tileSpan(pixel, bucketOf(from)), inTile, 2 * roundsAtOnce);
+        insertCandidates(tileSpan(pixel, bucketOf(from)), inTile, 6 * roundsAtOnce);
         float width = to - from;
         if (isFull) {
             to = from + max(floor(0.5 * width), 1.0);

@@ -5,7 +5,7 @@
 
 // So many are looked at: five changes take less. Only rounding makes more, where next to nothing is left of a
 // difference.
-#define QUINTIC_PIECES 300
+#define QUINTIC_PIECES 64
 
 SHARED_BEGIN
 
