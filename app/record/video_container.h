@@ -15,7 +15,7 @@ enum class VideoContainer { Mp4, Mov, Matroska, WebM, Gif };
 std::optional<VideoContainer> containerOf(const std::string& output);
 
 /// The codec to be used; `asked` where the container can hold it, otherwise UsageError. Nothing for GIF, which has none
-/// to choose. Where nothing is asked: H.264, in WebM AV1.
+/// to choose. Default: H.264, in WebM AV1.
 std::optional<VideoCodec> codecIn(VideoContainer container, std::optional<VideoCodec> asked);
 
 /// ffmpeg's name of the container.

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-
 #include "gl/read_back.h"
 #include "passes/seen_tiles.h"
 

@@ -3,6 +3,7 @@
 #include "lib/blocks.glsl"
 #include "lib/triangle_texels.glsl"
 #include "shared/seen_interval.shared.h"
+#include "shared/time_union.shared.h"
 
 uniform samplerBuffer seenTriangles;     // TRIANGLE_POSITION_TEXELS a triangle
 uniform usamplerBuffer seenTriangleIds;  // which triangle of the mesh each is
@@ -32,8 +33,8 @@ ivec2 tileSpan(uvec2 pixel, uint bucket) {
 }
 
 uint bucketOf(float tick) {
-    uint bucket = min(uint(tick / 16777216.0 * float(buckets)), buckets - 1u);
-    float end = floor(float(bucket + 1u) / float(buckets) * 16777216.0 + 0.5);
+    uint bucket = min(uint(tick / TICKS * float(buckets)), buckets - 1u);
+    float end = floor(float(bucket + 1u) / float(buckets) * TICKS + 0.5);
     return tick < end ? bucket : bucket + 1u;
 }
 

@@ -1,7 +1,6 @@
 // The partition of a part of the shutter into what one place of the image sees: triangles are put into it one after
 // another, and of what is seen at the same time the nearest stays.
 #include "lib/seen_changes.glsl"
-#include "shared/time_union.shared.h"
 
 #define SEGMENTS_TOGETHER 24
 #define STATIC_TRIANGLE 0xffffffffu  // in place of a seen triangle's number: what is static
@@ -21,31 +20,31 @@ int segments;
 bool isFull;  // something found no room: the partition is of no use
 int partitionRounds = 0;  // of loops, all together: about so many of one pixel
 
-// How far away the triangle is at u; negative where it is not seen. The same arithmetic as the sample pass.
-float distanceAt(SeenTriangle t, float u) {
-    vec3 v0 = mix(t.path.open0, t.path.close0, u), v1 = mix(t.path.open1, t.path.close1, u),
-         v2 = mix(t.path.open2, t.path.close2, u);
-    vec3 ray = rayAt(place, u);
-#ifdef CAMERA_TURNS
+// What the ray meets of a triangle's plane at u: edge functions, their sum, and the depth. The same arithmetic as the
+// sample pass.
+struct Met {
+    vec3 edges;
+    float sum, depth;
+};
+
+Met metAt(ViewPath p, float u) {
+    vec3 v0 = mix(p.open0, p.close0, u), v1 = mix(p.open1, p.close1, u), v2 = mix(p.open2, p.close2, u);
+    vec3 ray = rayAt(place, u);  // of z 1 unless the view turns
     precise vec3 e =
         edgeFunctions(v0.xy * ray.z - ray.xy * v0.z, v1.xy * ray.z - ray.xy * v1.z, v2.xy * ray.z - ray.xy * v2.z);
-#else
-    precise vec3 e = edgeFunctions(v0.xy - place * v0.z, v1.xy - place * v1.z, v2.xy - place * v2.z);
-#endif
     float sum = e.x + e.y + e.z;
-    bool front = min(min(e.x, e.y), e.z) >= 0.0 && sum > 0.0;
-    bool back = max(max(e.x, e.y), e.z) <= 0.0 && sum < 0.0 && t.doubleSided;
-    float distance = dot(e, vec3(v0.z, v1.z, v2.z)) / sum / ray.z;
-    return (front || back) && distance > cameraView.nearDistance ? distance : -1.0;
+    return Met(e, sum, dot(e, vec3(v0.z, v1.z, v2.z)) / sum / ray.z);
 }
 
-// Of a triangle that is known to be seen around u: the same without the edges' signs, which rounding may turn.
-float depthAt(ViewPath p, float u) {
-    vec3 v0 = mix(p.open0, p.close0, u), v1 = mix(p.open1, p.close1, u), v2 = mix(p.open2, p.close2, u);
-    vec3 ray = rayAt(place, u);
-    vec3 e = edgeFunctions(v0.xy * ray.z - ray.xy * v0.z, v1.xy * ray.z - ray.xy * v1.z, v2.xy * ray.z - ray.xy * v2.z);
-    return dot(e, vec3(v0.z, v1.z, v2.z)) / (e.x + e.y + e.z) / ray.z;
+bool isSeenAt(SeenTriangle t, float u) {
+    Met m = metAt(t.path, u);
+    bool front = min(min(m.edges.x, m.edges.y), m.edges.z) >= 0.0 && m.sum > 0.0;
+    bool back = max(max(m.edges.x, m.edges.y), m.edges.z) <= 0.0 && m.sum < 0.0 && t.doubleSided;
+    return (front || back) && m.depth > cameraView.nearDistance;
 }
+
+// Of a triangle that is known to be seen around u: whatever the edges' signs, which rounding may turn.
+float depthAt(ViewPath p, float u) { return metAt(p, u).depth; }
 
 float tickOf(float u) { return floor(u * TICKS + 0.5); }
 
@@ -65,7 +64,7 @@ void append(uint number, float end, vec2 depth) {
     }
 }
 
-// A triangle that is put in, from tick `begin` to tick `end`.
+// A triangle that is put in.
 struct Seen {
     uint number, id;
     SeenTriangle triangle;
@@ -152,7 +151,7 @@ void insertCandidates(ivec2 span, vec2 inTile, int mostRounds) {
                     u = nextChange(changes, u);
                     float next = clamp(tickOf(u), from, to);
                     ++partitionRounds;
-                    ONLY_IF(next > at && distanceAt(t, 0.5 * (at + next) / TICKS) > 0.0) {
+                    ONLY_IF(next > at && isSeenAt(t, 0.5 * (at + next) / TICKS)) {
                         insert(seen, at, next);
                     }
                     at = max(at, next);

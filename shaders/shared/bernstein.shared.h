@@ -35,13 +35,6 @@ SHARED_FUNCTION Bernstein bernsteinLinear(float first, float last) {
     return p;
 }
 
-SHARED_FUNCTION Bernstein bernsteinQuadratic(vec3 b) {
-    Bernstein p = bernsteinLinear(b.x, b.y);
-    p.degree = 2u;
-    p.b[2] = b.z;
-    return p;
-}
-
 /// n over k, exact for n < 10.
 SHARED_FUNCTION float binomial(uint n, uint k) {
     float value = SHARED_FLOAT(1.0);
@@ -63,13 +56,6 @@ SHARED_FUNCTION Bernstein bernsteinProduct(Bernstein p, Bernstein q) {
 SHARED_FUNCTION Bernstein bernsteinSum(Bernstein p, Bernstein q, float scale) {
     for (uint i = 0u; i <= p.degree; ++i) p.b[i] += scale * q.b[i];
     return p;
-}
-
-/// Value at t, by de Casteljau's steps.
-SHARED_FUNCTION float bernsteinAt(Bernstein p, float t) {
-    for (uint n = p.degree; n > 0u; --n)
-        for (uint i = 0u; i < n; ++i) p.b[i] += (p.b[i + 1u] - p.b[i]) * t;
-    return p.b[0];
 }
 
 /// The part from `low` to `high`, again over [0, 1].

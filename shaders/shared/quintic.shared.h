@@ -28,22 +28,6 @@ SHARED_FUNCTION Quintic quinticProduct(vec4 p, vec3 q) {
 
 SHARED_FUNCTION Quintic quinticDifference(Quintic a, Quintic b) { return Quintic(a.low - b.low, a.high - b.high); }
 
-/// One of de Casteljau's steps: each coefficient but the last moves towards the next.
-SHARED_FUNCTION Quintic stepTowardsNext(Quintic p, float t) {
-    return Quintic(mix(p.low, vec3(p.low.y, p.low.z, p.high.x), t),
-                   vec3(mix(p.high.x, p.high.y, t), mix(p.high.y, p.high.z, t), p.high.z));
-}
-
-SHARED_FUNCTION float quinticAt(Quintic p, float t) {
-    vec3 a = mix(p.low, vec3(p.low.y, p.low.z, p.high.x), t);
-    float a3 = mix(p.high.x, p.high.y, t), a4 = mix(p.high.y, p.high.z, t);
-    vec3 b = mix(a, vec3(a.y, a.z, a3), t);
-    float b3 = mix(a3, a4, t);
-    vec3 c = mix(b, vec3(b.y, b.z, b3), t);
-    vec2 d = mix(vec2(c.x, c.y), vec2(c.y, c.z), t);
-    return mix(d.x, d.y, t);
-}
-
 /// The part from `low` to the end, again over [0, 1].
 SHARED_FUNCTION Quintic quinticFrom(Quintic p, float low) {
     vec3 a = mix(p.low, vec3(p.low.y, p.low.z, p.high.x), low);
@@ -54,6 +38,9 @@ SHARED_FUNCTION Quintic quinticFrom(Quintic p, float low) {
     vec2 d = mix(vec2(c.x, c.y), vec2(c.y, c.z), low);
     return Quintic(vec3(mix(d.x, d.y, low), d.y, c.z), vec3(b3, a4, p.high.z));
 }
+
+/// Value at t, by de Casteljau's steps: where the part from t on begins.
+SHARED_FUNCTION float quinticAt(Quintic p, float t) { return quinticFrom(p, t).low.x; }
 
 SHARED_FUNCTION Quintic quinticReversed(Quintic p) {
     return Quintic(vec3(p.high.z, p.high.y, p.high.x), vec3(p.low.z, p.low.y, p.low.x));
@@ -74,8 +61,6 @@ SHARED_FUNCTION float mostOf(Quintic p) {
     vec3 most = max(p.low, p.high);
     return max(max(most.x, most.y), most.z);
 }
-
-SHARED_FUNCTION float sizeOf(Quintic p) { return max(mostOf(p), -leastOf(p)); }
 
 /// 1 or -1, and 0 of what is no more than `doubt`.
 SHARED_FUNCTION float certainSign(float b, float doubt) {

@@ -163,9 +163,7 @@ float litOver(MovingTriangle t, Receiver r, float u0, float u1) {
 }
 
 #ifdef SOLVES_INTERVALS
-float exposureUntil(float u) {
-    return frame.response == SHUTTER_BOX ? u : shutterExposure(frame.response, frame.responseWidth, u);
-}
+float exposureUntil(float u) { return shutterExposure(frame.response, frame.responseWidth, u); }
 
 vec2 litAlong(MovingTriangle t, uint id, vec2 position, float u0, float u1) {
     Receiver open = receiverOnRay(t, id, position, u0), last = receiverOnRay(t, id, position, u1);
