@@ -182,14 +182,14 @@ StoredAlongLine FrameRenderer::storedAlong(const MapLine& line) {
 
 void FrameRenderer::drawSamples(const FramePlan& plan) {
     if (plan.block.positions == 0) return samplePass_.draw(plan, mesh_, *samples_);
-    intervals_.draw(plan, mesh_, fullscreen_, *samples_, !technique_->solvesIntervals());
+    intervals_.draw(plan, mesh_, *samples_, !technique_->solvesIntervals());
 }
 
 void FrameRenderer::drawShade(const FramePlan& plan) {
     if (plan.block.positions == 0)
         return shadePass_.draw(plan, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
     shadePass_.draw(plan, fullscreen_,
-                    {intervals_.parts(), intervals_.heads(), partLookup_.values(), technique_->solvesIntervals()},
+                    {intervals_.parts(), intervals_.partsOfPositions(), partLookup_.values(), technique_->solvesIntervals()},
                     view_, *radiance_);
 }
 

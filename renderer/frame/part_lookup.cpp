@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "shared/seen_slices.shared.h"
 
 namespace timeshade {
 

@@ -1,28 +1,34 @@
 #include "passes/interval_samples.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/dispatch.h"
 #include "gl/read_back.h"
 #include "passes/seen_tiles.h"
+#include "shared/seen_slices.shared.h"
 
 namespace timeshade {
 
 namespace {
 
 const std::string staticName = "interval samples: static";
-constexpr std::array<int, 4> roundsAtOnce{600, 2400, 150, 40};  // of the loops of one pixel
-constexpr int mostDraws = 200;                                  // of one position a pixel
-constexpr std::size_t bytesOfState = 5 * 4;                     // SeenState of passes/seen_segments.frag
+constexpr std::uint32_t slicesTogether = 1u << 20;  // 24 MB
+constexpr std::size_t wordsOfSlice = 6;             // Slice of lib/seen_slices.glsl
 const std::string advice = "draw a smaller picture, or lower --spp";
 
 template <typename T>
 gl::Buffer bufferOf(const char* label, const std::vector<T>& data) {
     return gl::Buffer(label, std::span<const T>(data));
+}
+
+LimitError tooManyTriangles(std::uint32_t positions) {
+    return LimitError(
+        fmt::format("{} positions see more triangles than this device's loops can sort: draw a larger picture, or use "
+                    "--samples strata",
+                    positions));
 }
 
 }  // namespace
@@ -34,8 +40,9 @@ IntervalSamples::IntervalSamples(gl::ProgramCache& programs, FrameCaches& caches
     : programs_(programs),
       caches_(caches),
       rasterizer_(programs),
-      target_("interval samples target"),
       parts_("parts of what positions see", GL_RGBA32UI),
+      slices_("slices of the shutter", GL_R32UI),
+      segments_("segments of slices", GL_RG32UI),
       countsBuffer_("counts of parts", sizeof(Counts)) {}
 
 IntervalSamples::Candidates::Candidates(const FramePlan& plan) : Candidates(seenTiles(plan)) {}
@@ -74,13 +81,12 @@ const gl::Texture& IntervalSamples::drawStatic(const FramePlan& plan, const GpuM
     return cached.depth;
 }
 
-void IntervalSamples::draw(const FramePlan& plan, const GpuMesh& mesh, const Fullscreen& fullscreen,
-                           SampleBuffer& samples, bool cutAtStrata) {
-    positions_ = plan.block.positions;
+void IntervalSamples::draw(const FramePlan& plan, const GpuMesh& mesh, SampleBuffer& samples, bool cutAtStrata) {
     const gl::Texture& ids = samples.ids();
-    if (!heads_ || heads_->width() != ids.width() || heads_->height() != ids.height() ||
-        heads_->layers() != ids.layers())
-        heads_ = gl::Texture::array2D("parts of positions", GL_RG32UI, ids.width(), ids.height(), ids.layers());
+    if (!partsOfPositions_ || partsOfPositions_->width() != ids.width() ||
+        partsOfPositions_->height() != ids.height() || partsOfPositions_->layers() != ids.layers())
+        partsOfPositions_ =
+            gl::Texture::array2D("parts of positions", GL_RG32UI, ids.width(), ids.height(), ids.layers());
     const gl::Texture& depth = drawStatic(plan, mesh, samples);
     candidates_.reset();
     if (!plan.camera.dynamicTriangles.empty()) candidates_.emplace(plan);
@@ -88,137 +94,141 @@ void IntervalSamples::draw(const FramePlan& plan, const GpuMesh& mesh, const Ful
     const std::size_t places = static_cast<std::size_t>(ids.width()) * static_cast<std::size_t>(ids.height()) *
                                static_cast<std::size_t>(ids.layers());
     std::size_t wanted = std::max<std::size_t>(counts_.parts, places * (cutAtStrata ? plan.block.strata : 1));
-    for (;;) {
+    for (apart_ = 1;;) {
         parts_.reserve(wanted, advice);
-        solve(plan, fullscreen, samples, depth, cutAtStrata);
-        if (counts_.parts <= parts_.buffer().bytes() / sizeof(SeenPart)) break;
-        wanted = counts_.parts;
+        solve(plan, samples, depth, cutAtStrata);
+        const bool fits = counts_.parts <= parts_.buffer().bytes() / sizeof(SeenPart);
+        if (fits && counts_.unsolved == 0) break;
+        if (counts_.unsolved > 0 && apart_ > 1) throw tooManyTriangles(counts_.unsolved);
+        if (counts_.unsolved > 0) apart_ = SEEN_GROUP;
+        wanted = std::max<std::size_t>(wanted, counts_.parts);
     }
 }
 
-gl::ShaderDefines IntervalSamples::definesFor(const FramePlan& plan, bool cutAtStrata) const {
+std::uint32_t IntervalSamples::placesTogether() const {
+    return candidates_ ? std::max(slicesTogether / candidates_->buckets, 1u) : slicesTogether;
+}
+
+void IntervalSamples::solve(const FramePlan& plan, const SampleBuffer& samples, const gl::Texture& staticDepth,
+                            bool cutAtStrata) {
+    counts_ = {};
+    std::uint32_t unsolved = 0;
+    samples.ids().bind(SAMPLE_IDS_UNIT);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SEEN_COUNTS_BINDING, countsBuffer_.name());
+    const auto places = static_cast<std::uint32_t>(partsOfPositions_->width() * partsOfPositions_->height() *
+                                                   partsOfPositions_->layers());
+    for (Batch batch{0, 0}; batch.first < places; batch.first += batch.places) {
+        batch.places = std::min(placesTogether(), places - batch.first);
+        gl::Inputs inputs;
+        inputs.set("firstPlace", batch.first).set("places", batch.places).set("twoRounds", 2);
+        if (candidates_) {
+            gl::Inputs all = inputs;
+            all.texture("staticDepth", staticDepth)
+                .texture("seenTriangles", candidates_->trianglesView)
+                .texture("seenTriangleIds", candidates_->idsView)
+                .texture("tileOffsets", candidates_->offsetsView)
+                .texture("tileCandidates", candidates_->entriesView)
+                .set("tilesInRow", candidates_->columns)
+                .set("tileSide", candidates_->tileSide)
+                .set("buckets", candidates_->buckets);
+            solveBatch(plan, all, batch);
+        }
+        writeParts(inputs, batch, cutAtStrata);
+        unsolved += counts_.unsolved;
+    }
+    counts_.unsolved = unsolved;
+}
+
+/// With room for all slices and segments of the batch: more is made where it did not suffice.
+void IntervalSamples::solveBatch(const FramePlan& plan, const gl::Inputs& inputs, Batch batch) {
     gl::ShaderDefines defines;
     if (plan.camera.turns) defines.emplace_back("CAMERA_TURNS", "1");
+    const gl::Program& program =
+        programs_.get({.label = "seen slices", .defines = std::move(defines), .compute = "passes/seen_slices.comp"});
+    const std::uint32_t firstSlices = batch.places * candidates_->buckets;
+    const std::uint32_t parts = counts_.parts;
+    for (std::size_t slices = firstSlices, segments = firstSlices;;) {
+        slices_.reserve(slices * wordsOfSlice, advice);
+        segments_.reserve(segments, advice);
+        slices_.bindForWriting(SEEN_SLICES_BINDING);
+        segments_.bindForWriting(SEEN_SEGMENTS_BINDING);
+        program.use(inputs);
+        program.set("sliceRoom", static_cast<std::uint32_t>(slices_.buffer().bytes() / 4 / wordsOfSlice));
+        program.set("segmentRoom", static_cast<std::uint32_t>(segments_.buffer().bytes() / 8));
+        counts_ = {parts, firstSlices, 0, 0};
+        countsBuffer_.upload(std::span<const Counts>(&counts_, 1));
+        if (solveSlices(program, firstSlices)) return;
+        slices = std::max<std::size_t>(slices, counts_.slices);
+        segments = std::max<std::size_t>(segments, counts_.segments);
+    }
+}
+
+/// The first slices, then those that others were halved into, until none is left: a halving ends at one tick. After the
+/// second time each has a work group to itself, and with it the driver's rounds of loops. False where there was no room
+/// for all.
+bool IntervalSamples::solveSlices(const gl::Program& program, std::uint32_t firstSlices) {
+    int dispatches = 0;
+    for (std::uint32_t begin = 0, end = firstSlices; begin < end; begin = end, end = counts_.slices) {
+        const std::uint32_t apart = dispatches++ < 2 ? 1 : SEEN_GROUP;
+        program.set("sliceBegin", begin);
+        program.set("sliceEnd", end);
+        program.set("apart", apart);
+        gl::dispatch(gl::groupsFor(static_cast<std::size_t>(end - begin) * apart, SEEN_GROUP));
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+        counts_ = readCounts();
+        const bool fits = counts_.slices <= slices_.buffer().bytes() / 4 / wordsOfSlice &&
+                          counts_.segments <= segments_.buffer().bytes() / 8;
+        if (!fits) return false;
+        if (counts_.unsolved > 0) throw tooManyTriangles(counts_.unsolved);
+    }
+    return true;
+}
+
+void IntervalSamples::writeParts(const gl::Inputs& inputs, Batch batch, bool cutAtStrata) {
+    gl::ShaderDefines defines;
     if (cutAtStrata) defines.emplace_back("CUT_AT_STRATA", "1");
     if (candidates_) defines.emplace_back("MOVING_TRIANGLES", "1");
-    return defines;
-}
-
-void IntervalSamples::drawPosition(const gl::Program& program, const Fullscreen& fullscreen,
-                                   std::uint32_t position) const {
-    target_.attach(GL_COLOR_ATTACHMENT0, *heads_, static_cast<int>(position));
-    target_.bindForDrawing(heads_->width(), heads_->height());
-    program.set("position", position);
-    fullscreen.draw(program);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-}
-
-void IntervalSamples::solve(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
-                            const gl::Texture& staticDepth, bool cutAtStrata) {
-    counts_ = {};
-    countsBuffer_.upload(std::span<const Counts>(&counts_, 1));
-    gl::Inputs inputs;
-    inputs.texture("staticDepth", staticDepth)
-        .set("room", static_cast<std::uint32_t>(parts_.buffer().bytes() / sizeof(SeenPart)));
-    const gl::ShaderDefines defines = definesFor(plan, cutAtStrata);
-    if (candidates_) {
-        inputs.texture("seenTriangles", candidates_->trianglesView)
-            .texture("seenTriangleIds", candidates_->idsView)
-            .texture("tileOffsets", candidates_->offsetsView)
-            .texture("tileCandidates", candidates_->entriesView)
-            .set("tilesInRow", candidates_->columns)
-            .set("tileSide", candidates_->tileSide)
-            .set("buckets", candidates_->buckets);
-        const std::size_t bytes =
-            static_cast<std::size_t>(heads_->width()) * static_cast<std::size_t>(heads_->height()) * bytesOfState;
-        if (!states_ || states_->bytes() < bytes) states_.emplace("positions that are left", bytes, advice);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SEEN_STATES_BINDING, states_->name());
-    }
-    const auto programFor = [&](gl::ShaderDefines all) -> const gl::Program& {
-        const gl::Program& program =
-            programs_.get({"seen segments", "passes/fullscreen.vert", "passes/seen_segments.frag", std::move(all)});
-        program.use(inputs);
-        return program;
-    };
-    samples.ids().bind(SAMPLE_IDS_UNIT);
+    const gl::Program& program =
+        programs_.get({.label = "seen parts", .defines = std::move(defines), .compute = "passes/seen_parts.comp"});
     parts_.bindForWriting(SEEN_PARTS_BINDING);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SEEN_COUNTS_BINDING, countsBuffer_.name());
-    target_.setColorCount(1);
-    const std::uint32_t none = SEEN_NO_PLACE;
-    glClearNamedBufferData(parts_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
-    gl::ShaderDefines goesOn = defines;
-    goesOn.emplace_back("GOES_ON", "1");
-    for (std::uint32_t position = 0; position < plan.block.positions; ++position) {
-        const gl::Program& program = programFor(defines);
-        if (candidates_) program.set("roundsAtOnce", roundsAtOnce.front());
-        drawPosition(program, fullscreen, position);
-        if (candidates_ && takeCounts().unfinished > 0) finishPosition(programFor(goesOn), fullscreen, position);
-    }
-    counts_ = gl::readElements<Counts>(countsBuffer_, 0, 1).front();
+    counts_.unsolved = 0;
+    countsBuffer_.upload(std::span<const Counts>(&counts_, 1));
+    gl::Inputs all = inputs;
+    all.texture("partsOfPositions", *partsOfPositions_)
+        .set("partRoom", static_cast<std::uint32_t>(parts_.buffer().bytes() / sizeof(SeenPart)))
+        .set("apart", apart_);
+    program.use(all);
+    gl::dispatch(gl::groupsFor(static_cast<std::size_t>(batch.places) * apart_, SEEN_GROUP));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    counts_ = readCounts();
 }
 
-/// Goes on until nothing is left. Where none of the positions came on, with more rounds of loops at once, as one of
-/// them may need them, then with fewer, as the driver may have ended them.
-void IntervalSamples::finishPosition(const gl::Program& program, const Fullscreen& fullscreen, std::uint32_t position) {
-    Counts drawn;
-    std::size_t tries = 0;
-    int draws = 0;
-    do {
-        program.set("roundsAtOnce", roundsAtOnce[tries]);
-        drawPosition(program, fullscreen, position);
-        drawn = takeCounts();
-        tries = drawn.advances > 0 ? 0 : tries + 1;
-        if (drawn.unfinished > 0 && (tries == roundsAtOnce.size() || ++draws == mostDraws))
-            throw LimitError(
-                fmt::format("{} positions see more triangles at once than this device's loops can sort: draw a larger "
-                            "picture, or use --samples strata",
-                            drawn.unfinished));
-    } while (drawn.unfinished > 0);
-}
-
-/// What has been counted, of the last draw alone what is left and what came on.
-IntervalSamples::Counts IntervalSamples::takeCounts() {
-    const Counts counts = gl::readElements<Counts>(countsBuffer_, 0, 1).front();
-    Counts next = counts;
-    next.unfinished = next.advances = 0;
-    countsBuffer_.upload(std::span<const Counts>(&next, 1));
-    return counts;
-}
-
-std::vector<glm::u32vec2> IntervalSamples::readHeads() const {
-    std::vector<glm::u32vec2> heads(heads_->bytes() / sizeof(glm::u32vec2));
-    glGetTextureImage(heads_->name(), 0, GL_RG_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(heads_->bytes()),
-                      heads.data());
-    return heads;
+IntervalSamples::Counts IntervalSamples::readCounts() const {
+    return gl::readElements<Counts>(countsBuffer_, 0, 1).front();
 }
 
 IntervalSamples::Read IntervalSamples::read() const {
     const std::vector<SeenPart> stored = gl::readElements<SeenPart>(parts_.buffer(), 0, counts_.parts);
-    const std::vector<glm::u32vec2> heads = readHeads();
-    const std::size_t pixels = heads.size() / positions_;
+    std::vector<glm::u32vec2> heads(partsOfPositions_->bytes() / sizeof(glm::u32vec2));
+    glGetTextureImage(partsOfPositions_->name(), 0, GL_RG_INTEGER, GL_UNSIGNED_INT,
+                      static_cast<GLsizei>(partsOfPositions_->bytes()), heads.data());
+    const auto positions = static_cast<std::size_t>(partsOfPositions_->layers());
+    const std::size_t pixels = heads.size() / positions;
     Read read;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-        for (std::size_t position = 0; position < positions_; ++position) {
-            glm::u32vec2 chunk = heads[position * pixels + pixel];
-            for (bool goesOn = true; goesOn;) {
-                goesOn = (chunk.y & SEEN_PARTS_GO_ON) != 0;
-                const std::uint32_t end = chunk.x + (chunk.y & ~SEEN_PARTS_GO_ON);
-                for (std::uint32_t at = chunk.x; at < end; ++at) {
-                    read.parts.push_back(stored[at]);
-                    read.places.push_back(at);
-                }
-                if (goesOn) {
-                    const SeenPart& next = stored[end];
-                    chunk = {next.triangle, std::bit_cast<std::uint32_t>(next.begin)};
-                }
+        for (std::size_t position = 0; position < positions; ++position) {
+            const glm::u32vec2 head = heads[position * pixels + pixel];
+            for (std::uint32_t at = head.x; at < head.x + head.y; ++at) {
+                read.parts.push_back(stored[at]);
+                read.places.push_back(at);
             }
         }
     return read;
 }
 
 std::size_t IntervalSamples::bytes() const {
-    return rasterizer_.bytes() + parts_.bytes() + countsBuffer_.bytes() + (heads_ ? heads_->bytes() : 0) +
-           (candidates_ ? candidates_->bytes() : 0) + (states_ ? states_->bytes() : 0);
+    return rasterizer_.bytes() + parts_.bytes() + slices_.bytes() + segments_.bytes() + countsBuffer_.bytes() +
+           (partsOfPositions_ ? partsOfPositions_->bytes() : 0) + (candidates_ ? candidates_->bytes() : 0);
 }
 
 }  // namespace timeshade

@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "core/frame_caches.h"
-#include "gl/framebuffer.h"
 #include "gl/growing_buffer.h"
-#include "passes/fullscreen.h"
 #include "passes/sample_buffer.h"
 #include "passes/stochastic_rasterizer.h"
 
@@ -23,24 +21,22 @@ struct SeenPart {
 /// Solves what every position of the picture sees during the shutter (docs/numerics.md, "Interval samples"): a
 /// partition of [0, 1] into segments, one triangle each, nearest throughout. What is static before the camera is drawn,
 /// once while it stays the same; only triangles that move are solved. The parts of a position follow each other; the
-/// first begins at 0, the last ends at 1, and each ends where the next begins, bit for bit. Nothing is dropped: what
-/// one draw does not finish, as a driver bounds the rounds of its loops, the next goes on with.
+/// first begins at 0, the last ends at 1, and each ends where the next begins, bit for bit. Nothing is dropped: where a
+/// slice of the shutter has more segments than there is room for at once, or the driver has ended the loops, it is
+/// solved again in halves.
 class IntervalSamples {
   public:
     IntervalSamples(gl::ProgramCache& programs, FrameCaches& caches);
 
     /// `cutAtStrata`: no part reaches beyond a stratum. `samples` receives what is static. Waits for the device. Throws
     /// LimitError where the device has no room, or its loops end too soon.
-    void draw(const FramePlan& plan, const GpuMesh& mesh, const Fullscreen& fullscreen, SampleBuffer& samples,
-              bool cutAtStrata);
+    void draw(const FramePlan& plan, const GpuMesh& mesh, SampleBuffer& samples, bool cutAtStrata);
 
-    /// Records in parts(): those of the parts, and some between them (shaders/passes/seen_segments.frag).
     std::uint32_t partCount() const { return counts_.parts; }
-    /// Of positions whose segments were solved in halves of the shutter, for want of room: how often.
-    std::uint32_t halvings() const { return counts_.halvings; }
+    /// RGBA32UI, as SeenPart.
     const gl::Texture& parts() const { return parts_.texels(); }
-    /// Where the first chunk of parts of every position is, RG32UI, one layer a position.
-    const gl::Texture& heads() const { return *heads_; }
+    /// The first part of every position and how many it has, RG32UI, one layer a position.
+    const gl::Texture& partsOfPositions() const { return *partsOfPositions_; }
     /// All parts, position by position, and the number of each in parts().
     struct Read {
         std::vector<SeenPart> parts;
@@ -55,8 +51,13 @@ class IntervalSamples {
         std::size_t bytes() const { return depth.bytes(); }
         gl::Texture depth;
     };
+    /// As lib/seen_slices.glsl has them.
     struct Counts {
-        std::uint32_t parts = 0, unfinished = 0, halvings = 0, advances = 0;
+        std::uint32_t parts = 0, slices = 0, segments = 0, unsolved = 0;
+    };
+    /// Places that are solved together: so many from the first on.
+    struct Batch {
+        std::uint32_t first, places;
     };
     struct Candidates {
         gl::Buffer triangles, ids, offsets, entries;
@@ -68,25 +69,22 @@ class IntervalSamples {
         std::size_t bytes() const;
     };
     const gl::Texture& drawStatic(const FramePlan& plan, const GpuMesh& mesh, SampleBuffer& samples);
-    void solve(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
-               const gl::Texture& staticDepth, bool cutAtStrata);
-    Counts takeCounts();
-    void finishPosition(const gl::Program& program, const Fullscreen& fullscreen, std::uint32_t position);
-    void drawPosition(const gl::Program& program, const Fullscreen& fullscreen, std::uint32_t position) const;
-    gl::ShaderDefines definesFor(const FramePlan& plan, bool cutAtStrata) const;
-    std::vector<glm::u32vec2> readHeads() const;
+    void solve(const FramePlan& plan, const SampleBuffer& samples, const gl::Texture& staticDepth, bool cutAtStrata);
+    void solveBatch(const FramePlan& plan, const gl::Inputs& inputs, Batch batch);
+    bool solveSlices(const gl::Program& program, std::uint32_t firstSlices);
+    void writeParts(const gl::Inputs& inputs, Batch batch, bool cutAtStrata);
+    std::uint32_t placesTogether() const;
+    Counts readCounts() const;
 
     gl::ProgramCache& programs_;
     FrameCaches& caches_;
     StochasticRasterizer rasterizer_;
-    gl::Framebuffer target_;
-    gl::GrowingBuffer parts_;
+    gl::GrowingBuffer parts_, slices_, segments_;
     gl::Buffer countsBuffer_;
-    std::optional<gl::Buffer> states_;
     std::optional<Candidates> candidates_;
-    std::optional<gl::Texture> heads_;
+    std::optional<gl::Texture> partsOfPositions_;
     Counts counts_;
-    std::uint32_t positions_ = 0;
+    std::uint32_t apart_ = 1;  ///< one of so many invocations works
 };
 
 }  // namespace timeshade

@@ -37,7 +37,6 @@ void main() {
     uint number = uint(gl_FragCoord.y) * SEEN_PARTS_IN_ROW + uint(gl_FragCoord.x);
     outputLit = vec2(1.0, 0.0);
     if (number >= partCount) return;
-    if (isBetweenChunks(number)) return;
     SeenPart part = seenPart(number);
     if (part.triangle == NO_TRIANGLE) return;
     MovingTriangle t = fetchTriangle(part.triangle);

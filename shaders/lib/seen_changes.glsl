@@ -98,7 +98,7 @@ OrderChanges orderChanges(vec2 place, ViewPath a, ViewPath b, bool isStatic, flo
     float doubt = orderDoubt(mine, theirs, span);
     // A little more than what is wanted, for what is rounded.
     Quintic wanted = quinticPart(order, max(u0 - 1.0 / 65536.0, 0.0), min(u1 + 1.0 / 65536.0, 1.0));
-    QuinticChanges changes = QuinticChanges(vec3(2.0), vec2(2.0), 0);
+    QuinticChanges changes = QuinticChanges(vec3(2.0), vec2(2.0));
     ONLY_IF(leastOf(wanted) < -doubt && mostOf(wanted) > doubt) changes = quinticChanges(order, doubt);
     return changes;
 }
@@ -124,7 +124,6 @@ struct EdgeChanges {
 BernsteinChanges noChanges() {
     BernsteinChanges none;
     none.count = 0u;
-    none.pieces = 0;
     return none;
 }
 

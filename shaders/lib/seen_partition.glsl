@@ -18,7 +18,6 @@ vec2 depths[2 * SEGMENTS_TOGETHER];  // the least and the greatest of the triang
 int first = 0;                       // of the one that holds
 int segments;
 bool isFull;  // something found no room: the partition is of no use
-int partitionRounds = 0;  // of loops, all together: about so many of one pixel
 
 // What the ray meets of a triangle's plane at u: edge functions, their sum, and the depth. The same arithmetic as the
 // sample pass.
@@ -89,7 +88,6 @@ void appendNearer(Seen mine, uint number, vec2 depth, float x, float y) {
     OrderChanges changes =
         orderChanges(place, mine.triangle.path, other, isStatic, staticDistance, isStatic || mine.number < number,
                      x / TICKS, y / TICKS);
-    partitionRounds += 4 + 2 * changes.pieces;
     float u = 0.0;
     for (float at = x; at < y;) {
         u = nextChange(changes, u);
@@ -120,7 +118,6 @@ void insert(Seen mine, float a, float b) {
         begin = end;
     }
     first = newFirst;
-    partitionRounds += segments + 4;
     segments = newSegments;
 }
 
@@ -133,15 +130,11 @@ void beginPartition() {
     isFull = false;
 }
 
-// Those of a list, in its order; full after so many rounds of loops, too.
-void insertCandidates(ivec2 span, vec2 inTile, int mostRounds) {
-    partitionRounds += (span.y - span.x) / 8;  // which other pixels share
-    int until = partitionRounds + mostRounds;
+// Those of a list, in its order.
+void insertCandidates(ivec2 span, vec2 inTile) {
     for (int i = span.x; i < span.y && !isFull; ++i) {
         uvec2 candidate = texelFetch(tileCandidates, i).xy;
         ONLY_IF(isWithin(candidate.y, inTile)) {
-            partitionRounds += 2;
-            if (partitionRounds > until) isFull = true;
             SeenTriangle t = seenTriangle(candidate.x);
             ONLY_IF(maybeSeen(place, t, from / TICKS, to / TICKS)) {
                 Seen seen = Seen(candidate.x, texelFetch(seenTriangleIds, int(candidate.x)).x, t, depthsOf(t.path));
@@ -150,7 +143,6 @@ void insertCandidates(ivec2 span, vec2 inTile, int mostRounds) {
                 for (float at = from; at < to;) {
                     u = nextChange(changes, u);
                     float next = clamp(tickOf(u), from, to);
-                    ++partitionRounds;
                     ONLY_IF(next > at && isSeenAt(t, 0.5 * (at + next) / TICKS)) {
                         insert(seen, at, next);
                     }

@@ -2,6 +2,7 @@
 //
 // SOLVES_INTERVALS: values are means over a part; else each is of one time in it, random within the stratum.
 #include "lib/receiver.glsl"
+#include "shared/seen_slices.shared.h"
 
 uniform usamplerBuffer seenParts;
 
@@ -13,9 +14,6 @@ struct SeenPart {
     float time;  // that stands for the part
     vec2 place;  // in the image
 };
-
-// Not a part, but a record that says where more parts of a position are.
-bool isBetweenChunks(uint number) { return texelFetch(seenParts, int(number)).x == SEEN_NO_PLACE; }
 
 SeenPart seenPart(uint number) {
     uvec4 stored = texelFetch(seenParts, int(number));

@@ -123,16 +123,9 @@ void main() {
     vec3 sum = vec3(0.0);
     for (uint position = 0u; position < frame.positions; ++position) {
         uvec2 parts = texelFetch(partsOfPositions, ivec3(pixel, position), 0).xy;
-        uint number = parts.x, end = parts.x + (parts.y & ~SEEN_PARTS_GO_ON);
-        while (number < end) {
+        for (uint number = parts.x; number < parts.x + parts.y; ++number) {
             SeenPart part = seenPart(number);
             sum += (exposureUntil(part.end) - exposureUntil(part.begin)) * colourOf(number, part);
-            ++number;
-            if (number == end && (parts.y & SEEN_PARTS_GO_ON) != 0u) {
-                parts = texelFetch(seenParts, int(number)).yz;
-                number = parts.x;
-                end = parts.x + (parts.y & ~SEEN_PARTS_GO_ON);
-            }
         }
     }
     outputRadiance = vec4(sum / (exposureUntil(1.0) * float(frame.positions)), 1.0) * frame.weight;

@@ -18,7 +18,6 @@ struct Bernstein {
 struct BernsteinChanges {
     uint count;
     float at[BERNSTEIN_ROOM];
-    int pieces;  // that were looked at
 };
 
 SHARED_FUNCTION Bernstein bernsteinConstant(float value) {
@@ -106,7 +105,7 @@ SHARED_FUNCTION BernsteinChanges bernsteinChanges(Bernstein p, float doubt) {
     for (int i = 0; i < BERNSTEIN_ROOM; ++i) found.at[i] = two;
     float width = one, before = zero;
     float begin = bernsteinLeast(p) < -doubt && bernsteinMost(p) > doubt ? zero : one;
-    for (found.pieces = 0; begin < one && found.pieces < 2 * QUINTIC_PIECES; ++found.pieces) {
+    for (int i = 0; begin < one && i < 2 * QUINTIC_PIECES; ++i) {
         QuinticSigns signs = signsOf(bernsteinPart(p, begin, begin + width), doubt);
         float first = before != zero ? before : signs.first;  // ends that two pieces share round to two values
         bool changes = first * signs.last < zero;

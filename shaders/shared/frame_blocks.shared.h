@@ -15,15 +15,6 @@
 #define LIST_OFFSETS_BINDING 1
 #define LIST_BLOCKS_BINDING 2
 #define TECHNIQUE_STORAGE_BINDING 3
-
-// Of the pass that solves what positions see, before any technique.
-#define SEEN_PARTS_BINDING 0
-#define SEEN_COUNTS_BINDING 1
-#define SEEN_STATES_BINDING 2
-
-#define SEEN_PARTS_IN_ROW 2048u    // values of parts lie in rows of a texture
-#define SEEN_NO_PLACE 0xffffffffu  // of a record between chunks of parts
-#define SEEN_PARTS_GO_ON 0x80000000u
 #define LIST_SCAN_BLOCK 1024  // cells that one work group of the scan sees
 
 // Texture units of the frame. Samplers that name none get those from gl::firstFreeUnit on, by their names.

@@ -93,7 +93,6 @@ SHARED_FUNCTION QuinticSigns signsOf(Quintic p, float doubt) {
 struct QuinticChanges {
     vec3 first;
     vec2 second;
-    int pieces;  // that were looked at
 };
 
 /// The change of sign between `low` and `high`, of which there is one: by halving, to 2^-24, by the value's own sign.
@@ -116,11 +115,11 @@ SHARED_FUNCTION float quinticChange(Quintic p, float low, float high, bool posit
 /// gives the same times.
 SHARED_FUNCTION QuinticChanges quinticChanges(Quintic p, float doubt) {
     const float zero = SHARED_FLOAT(0.0), one = SHARED_FLOAT(1.0), two = SHARED_FLOAT(2.0);
-    QuinticChanges found = QuinticChanges(vec3(two), vec2(two), 0);
+    QuinticChanges found = QuinticChanges(vec3(two), vec2(two));
     uint count = 0u;
     float width = one, before = zero;
     float begin = leastOf(p) < -doubt && mostOf(p) > doubt ? zero : one;
-    for (; begin < one && found.pieces < QUINTIC_PIECES; ++found.pieces) {
+    for (int i = 0; begin < one && i < QUINTIC_PIECES; ++i) {
         QuinticSigns signs = signsOf(quinticPart(p, begin, begin + width), doubt);
         float first = before != zero ? before : signs.first;  // ends that two pieces share round to two values
         bool changes = first * signs.last < zero;
