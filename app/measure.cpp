@@ -32,7 +32,8 @@ std::vector<std::string> techniquesOf(const MeasureOptions& options) {
     }
     gl::ProgramCache programs;
     for (const std::string& name : names)
-        if (name != "embree") TechniqueVariant::of(name).make(options.settings, programs);  // throws for an unknown one
+        if (name != "embree")
+            TechniqueVariant::onItsSamples(name).make(options.settings, programs);  // throws for an unknown one
     return names;
 }
 

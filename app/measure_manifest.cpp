@@ -30,7 +30,8 @@ std::vector<std::string> settingLines(const std::vector<std::string>& techniques
     gl::ProgramCache programs;
     for (const std::string& name : techniques) {
         if (name == "embree") continue;
-        const std::unique_ptr<Technique> technique = TechniqueVariant::of(name).make(options.settings, programs);
+        const std::unique_ptr<Technique> technique =
+            TechniqueVariant::onItsSamples(name).make(options.settings, programs);
         for (const Setting& setting : settingsOf(*technique))
             if (setting.key != "renders")
                 lines.push_back(fmt::format("{}.{} = {:g}", name, setting.key, setting.get()));
@@ -56,8 +57,9 @@ std::vector<std::string> planLines(const SweepScene& scene, const std::string& t
                                    gl::ProgramCache& programs) {
     FramePlanner planner(*scene.scene);
     const std::string name = technique == "embree" ? techniqueDescriptions().front().name : technique;
-    const std::unique_ptr<Technique> planned = TechniqueVariant::of(name).make({}, programs);
-    std::istringstream text(explain(planner.plan(planned->asked(scene.request)), *planned, device));
+    const TechniqueVariant series = TechniqueVariant::onItsSamples(name);
+    const std::unique_ptr<Technique> planned = series.make({}, programs);
+    std::istringstream text(explain(planner.plan(planned->asked(series.on(scene.request))), *planned, device));
     std::vector<std::string> lines;
     for (std::string line; std::getline(text, line);) lines.push_back(line);
     return lines;

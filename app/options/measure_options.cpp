@@ -38,9 +38,9 @@ CLI::Option* declareSweep(CLI::App& measure, MeasureOptions& options) {
     measure.add_option("scenes", options.measuredScenes, "built-in scenes or files (default: all built-in ones)");
     measure.add_option("-o,--output", options.output, "folder; a sweep that was interrupted goes on there")->required();
     measure
-        .add_option(
-            "--techniques", options.measuredTechniques,
-            "names, with settings after colons as in tsm:bias=2, and embree for the ray-traced baseline (default: all)")
+        .add_option("--techniques", options.measuredTechniques,
+                    "names, with settings after colons as in tsm:bias=2 or integral:samples=intervals, and embree for "
+                    "the ray-traced baseline (default: all)")
         ->delimiter(',');
     measure
         .add_option_function<std::vector<std::string>>(
@@ -119,7 +119,8 @@ void checkEqual(const CLI::App& measure, MeasureOptions& options) {
     if (options.referenceRays == 0)
         throw UsageError(fmt::format("--reference-rays 0: {} needs shadow errors, expected 1 or more", name));
     gl::ProgramCache programs;
-    for (const std::string& variant : variants) TechniqueVariant::of(variant).make(options.settings, programs);
+    for (const std::string& variant : variants)
+        TechniqueVariant::onItsSamples(variant).make(options.settings, programs);
     // The first has --map, the others --maps; where one of the two is given alone, it is for all.
     const bool map = measure.get_option("--map")->count() > 0, maps = measure.get_option("--maps")->count() > 0;
     if (map && !maps) options.measuredMaps = {options.mapSize};

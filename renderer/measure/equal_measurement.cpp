@@ -100,9 +100,9 @@ class SceneMeasurement {
 
     /// At the samples that the request or its own setting says where no number is given.
     Subject subjectOf(const std::string& variant, std::optional<int> sampleCount, const MapSize& mapSize) {
-        Subject subject{variant, TechniqueVariant::of(variant).make(options_.settings, renderer_.programs()),
-                        scene_.request};
-        subject.request = subject.technique->asked(scene_.request);
+        const TechniqueVariant series = TechniqueVariant::onItsSamples(variant);
+        Subject subject{variant, series.make(options_.settings, renderer_.programs()), scene_.request};
+        subject.request = subject.technique->asked(series.on(scene_.request));
         subject.bruteForce = isBruteForce(*subject.technique);
         subject.request.mapSize = mapSize;
         if (sampleCount && subject.bruteForce) setFromText(*subject.technique, "renders", std::to_string(*sampleCount));

@@ -11,6 +11,7 @@ double referenceNoise(FrameRenderer& renderer, FramePlanner& planner, const Fram
                       const LinearImage& reference, int samplesPerPixel) {
     FrameRequest batch = request;
     batch.samplesPerPixel = maximumSamplesPerPixel;
+    batch.samples = CameraSamples::Strata;
     batch.pixelCentres = false;  // as of the reference
     batch.seed = 0x7ef10000u;    // neither the reference's nor one that is likely to be asked for
     ReferenceTechnique technique;

@@ -42,6 +42,11 @@ bool isBaseline(const SweepPoint& point) { return point.technique == "embree"; }
 /// The scene's request with what a point varies of it.
 FrameRequest requestOf(const SweepScene& scene, const SweepPoint& point) {
     FrameRequest request = scene.request;
+    // The baseline traces rays, each of which has a time.
+    if (isBaseline(point))
+        request.samples = CameraSamples::Strata;
+    else
+        request = TechniqueVariant::onItsSamples(point.technique).on(std::move(request));
     request.samplesPerPixel = point.sampleCount;
     request.mapSize = point.mapSize;
     return request;
@@ -56,7 +61,8 @@ std::vector<FrameState> statesOf(const SweepPoint& point, const SweepScene& scen
 std::unique_ptr<Technique> makeSubject(const SweepPoint& point, const SweepOptions& options,
                                        gl::ProgramCache& programs) {
     if (isBaseline(point)) return std::make_unique<ReferenceTechnique>();
-    std::unique_ptr<Technique> technique = TechniqueVariant::of(point.technique).make(options.settings, programs);
+    std::unique_ptr<Technique> technique =
+        TechniqueVariant::onItsSamples(point.technique).make(options.settings, programs);
     if (technique->renders() > 1)
         setFromText(*technique, "renders", std::to_string(bruteForceRenders(point.sampleCount)));
     return technique;

@@ -23,6 +23,27 @@ TechniqueVariant TechniqueVariant::of(const std::string& label) {
     return variant;
 }
 
+TechniqueVariant TechniqueVariant::onItsSamples(const std::string& label) {
+    TechniqueVariant variant = of(label);
+    std::erase_if(variant.settings, [&](const auto& setting) {
+        if (setting.first != "samples") return false;
+        if (setting.second == "strata")
+            variant.samples = CameraSamples::Strata;
+        else if (setting.second == "intervals")
+            variant.samples = CameraSamples::Intervals;
+        else
+            throw UsageError(
+                fmt::format("technique {}: samples={}, expected strata or intervals", label, setting.second));
+        return true;
+    });
+    return variant;
+}
+
+FrameRequest TechniqueVariant::on(FrameRequest request) const {
+    if (samples) request.samples = *samples;
+    return request;
+}
+
 std::unique_ptr<Technique> TechniqueVariant::make(const std::vector<std::pair<std::string, std::string>>& settingsOfAll,
                                                   gl::ProgramCache& programs) const {
     std::unique_ptr<Technique> technique = makeTechnique(name, programs);
