@@ -70,7 +70,7 @@ EdgeChanges edgeChanges(vec2 place, SeenTriangle t) {
     if (c2.count > 1u) c.second.z = c2.second;
     ONLY_IF(reachesNearPlane(t.path)) {
         CubicSignChanges found =
-            signChangesOfCubic(beyondDepth(depthAlongRay(t.path, e), cameraView.nearDistance));
+            signChangesOfCubic(beyondDepth(t.path, e, cameraView.nearDistance));
         if (found.count > 0u) c.atNearPlane.x = found.at.x;
         if (found.count > 1u) c.atNearPlane.y = found.at.y;
         if (found.count > 2u) c.atNearPlane.z = found.at.z;

@@ -76,6 +76,22 @@ bool isNearer(Seen mine, ViewPath other, uint otherId, bool isStatic, float u) {
     return depth < otherDepth || (depth == otherDepth && mine.id < otherId);
 }
 
+// Where the order changes between ticks x and y, if it does so once, by halving; y where both ends have one order.
+float orderChangeBetween(Seen mine, ViewPath other, uint otherId, bool isStatic, float x, float y) {
+    float low = x, high = y;
+    bool atLow = isNearer(mine, other, otherId, isStatic, low / TICKS);
+    ONLY_IF(atLow != isNearer(mine, other, otherId, isStatic, high / TICKS)) {
+        while (high - low > 1.0) {
+            float middle = floor(0.5 * (low + high));
+            if (isNearer(mine, other, otherId, isStatic, middle / TICKS) == atLow)
+                low = middle;
+            else
+                high = middle;
+        }
+    }
+    return high;
+}
+
 // Appends the part from x to y of a segment whose depths overlap those of the triangle: whichever is nearer.
 void appendNearer(Seen mine, uint number, vec2 depth, float x, float y) {
     bool isStatic = number == STATIC_TRIANGLE;
@@ -88,10 +104,15 @@ void appendNearer(Seen mine, uint number, vec2 depth, float x, float y) {
     OrderChanges changes =
         orderChanges(place, mine.triangle.path, other, isStatic, staticDistance, isStatic || mine.number < number,
                      x / TICKS, y / TICKS);
-    float u = 0.0;
+    float u = 0.0, unseen = y;
+    // What the polynomial leaves in doubt, the depths may tell.
+    ONLY_IF(nextChange(changes, x / TICKS) * TICKS >= y) {
+        unseen = orderChangeBetween(mine, other, otherId, isStatic, x, y);
+    }
     for (float at = x; at < y;) {
         u = nextChange(changes, u);
         float next = clamp(tickOf(u), x, y);
+        if (unseen > at) next = min(next, unseen);
         if (next > at) {
             bool nearer = isNearer(mine, other, otherId, isStatic, 0.5 * (at + next) / TICKS);
             append(nearer ? mine.number : number, next, nearer ? mine.depth : depth);

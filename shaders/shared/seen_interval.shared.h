@@ -139,8 +139,13 @@ SHARED_FUNCTION float orderDoubt(DepthAlongRay a, DepthAlongRay b, float depthSp
     return SHARED_FLOAT(9.5367432e-7) * (termA + termB + (a.edges * mostB + b.edges * mostA) * depthSpan);
 }
 
-/// Its sign changes where the depth passes `least`.
-SHARED_FUNCTION vec4 beyondDepth(DepthAlongRay a, float least) { return a.depth - cubicProduct(a.area, least, least); }
+/// Its sign changes where the depth passes `least`. From what each vertex is beyond it: the depth times the area has lost
+/// that where the two nearly cancel.
+SHARED_FUNCTION vec4 beyondDepth(ViewPath v, QuadraticEdges e, float least) {
+    return cubicProduct(e.edge0, v.open0.z - least, v.close0.z - least) +
+           cubicProduct(e.edge1, v.open1.z - least, v.close1.z - least) +
+           cubicProduct(e.edge2, v.open2.z - least, v.close2.z - least);
+}
 
 /// Of a view that turns, whose ray goes from ray0 to ray1: degree 4, the cubic det[ray, v, v] times the ray's z.
 SHARED_FUNCTION TurningPolynomials turningPolynomials(ViewPath v, vec3 ray0, vec3 ray1) {

@@ -63,6 +63,7 @@ std::vector<SeenPart> segmentsOf(const std::vector<PartValue>& parts) {
 std::unique_ptr<Scene> sceneOf(const std::string& name) {
     if (name == "quads") return makeMovingScene({.seed = 3});
     if (name == "crowd") return makeCrowdedScene({.seed = 5});
+    if (name == "around") return makeMovingScene({.seed = 3, .aroundTheEye = true});
     return openScene(name, {}, {});
 }
 
@@ -208,7 +209,7 @@ TEST_P(IntervalSamplesOf, NeverDropASegment) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, IntervalSamplesOf,
-                         testing::Values("crossing", "cubes", "rising", "octopus", "chess", "quads", "crowd"),
+                         testing::Values("crossing", "cubes", "rising", "octopus", "chess", "quads", "crowd", "around"),
                          [](const testing::TestParamInfo<std::string>& tested) { return tested.param; });
 
 /// A solved shadow on solved samples has no random time in it: with positions at pixel centres no seed makes a
