@@ -33,6 +33,8 @@ vec2 depthsOf(ViewPath v) {
 #endif
 }
 
+vec3 leastAbove(vec3 times, float u) { return mix(vec3(1.0), times, greaterThan(times, vec3(u))); }
+
 #ifndef CAMERA_TURNS
 // Not where it is proven to be seen at no time between u0 and u1.
 bool maybeSeen(vec2 place, SeenTriangle t, float u0, float u1) {
@@ -47,8 +49,6 @@ struct EdgeChanges {
     vec3 first, second;
     vec3 atNearPlane;
 };
-
-vec3 leastAbove(vec3 times, float u) { return mix(vec3(1.0), times, greaterThan(times, vec3(u))); }
 
 // The next after u; 1 where there is none.
 float nextChange(EdgeChanges c, float u) {
@@ -109,29 +109,19 @@ TurningPolynomials polynomialsOf(ViewPath v, vec2 place) {
 
 bool maybeSeen(vec2 place, SeenTriangle t, float u0, float u1) {
     TurningPolynomials p = polynomialsOf(t.path, place);
-    p.edge0 = bernsteinPart(p.edge0, u0, u1);
-    p.edge1 = bernsteinPart(p.edge1, u0, u1);
-    p.edge2 = bernsteinPart(p.edge2, u0, u1);
-    return !neverSeen(p, t.doubleSided);
+    return !neverSeen(quinticPart(p.edge0, u0, u1), quinticPart(p.edge1, u0, u1), quinticPart(p.edge2, u0, u1),
+                      t.doubleSided);
 }
 
 // In u, in no order.
 struct EdgeChanges {
-    BernsteinChanges edge0, edge1, edge2, atNearPlane;
+    QuinticChanges edge0, edge1, edge2, atNearPlane;
 };
-#define OrderChanges BernsteinChanges
+#define OrderChanges NonicChanges
 
-BernsteinChanges noChanges() {
-    BernsteinChanges none;
-    none.count = 0u;
-    return none;
-}
-
-float nextChange(BernsteinChanges c, float u) {
-    float next = 1.0;
-    for (uint i = 0u; i < c.count; ++i)
-        if (c.at[i] > u) next = min(next, c.at[i]);
-    return next;
+float nextChange(QuinticChanges c, float u) {
+    vec3 next = min(leastAbove(c.first, u), leastAbove(vec3(c.second, 2.0), u));
+    return min(min(next.x, next.y), min(next.z, 1.0));
 }
 
 float nextChange(EdgeChanges c, float u) {
@@ -139,20 +129,22 @@ float nextChange(EdgeChanges c, float u) {
                min(nextChange(c.edge2, u), nextChange(c.atNearPlane, u)));
 }
 
-// The ray's z over the shutter.
-Bernstein rayDepth(vec2 place) { return bernsteinLinear(rayAt(place, 0.0).z, rayAt(place, 1.0).z); }
+float nextChange(NonicChanges c, float u) {
+    vec4 next = min(mix(vec4(1.0), c.first, greaterThan(c.first, vec4(u))),
+                    mix(vec4(1.0), c.second, greaterThan(c.second, vec4(u))));
+    return min(min(min(next.x, next.y), min(next.z, next.w)), min(c.last > u ? c.last : 1.0, 1.0));
+}
 
 EdgeChanges edgeChanges(vec2 place, SeenTriangle t) {
     TurningPolynomials p = polynomialsOf(t.path, place);
-    EdgeChanges c = EdgeChanges(noChanges(), noChanges(), noChanges(), noChanges());
+    QuinticChanges none = QuinticChanges(vec3(2.0), vec2(2.0));
+    EdgeChanges c = EdgeChanges(none, none, none, none);
     bool isNear = reachesNearPlane(t.path);
     // One solver, which is inlined once.
     for (int k = 0; k < (isNear ? 4 : 3); ++k) {
-        Bernstein b = k == 0 ? p.edge0 : k == 1 ? p.edge1 : p.edge2;
-        ONLY_IF(k == 3) {
-            b = bernsteinSum(p.depth, bernsteinProduct(areaOf(p), rayDepth(place)), -cameraView.nearDistance);
-        }
-        BernsteinChanges found = bernsteinChanges(b, 0.0);
+        Quintic b = k == 0 ? p.edge0 : k == 1 ? p.edge1 : p.edge2;
+        ONLY_IF(k == 3) b = beyondDepth(p, cameraView.nearDistance, rayAt(place, 0.0).z, rayAt(place, 1.0).z);
+        QuinticChanges found = quinticChanges(b, 0.0);
         if (k == 0) c.edge0 = found;
         if (k == 1) c.edge1 = found;
         if (k == 2) c.edge2 = found;
@@ -161,24 +153,16 @@ EdgeChanges edgeChanges(vec2 place, SeenTriangle t) {
     return c;
 }
 
+// As above. What is static before a view that turns is the background, which has no depth.
 OrderChanges orderChanges(vec2 place, ViewPath a, ViewPath b, bool isStatic, float staticDistance, bool isFirst,
                           float u0, float u1) {
-    TurningPolynomials mine = polynomialsOf(a, place);
-    Bernstein depth = bernsteinProduct(bernsteinConstant(staticDistance), rayDepth(place));
-    Bernstein area = bernsteinConstant(1.0);
-    ONLY_IF(!isStatic) {
-        TurningPolynomials theirs = polynomialsOf(b, place);
-        depth = theirs.depth;
-        area = areaOf(theirs);
-    }
-    Bernstein mineArea = areaOf(mine);
-    float doubt = orderDoubt(mine.depth, mineArea, depth, area);
-    Bernstein order = isFirst ? orderOf(mine.depth, mineArea, depth, area) : orderOf(depth, area, mine.depth, mineArea);
-    Bernstein wanted = bernsteinPart(order, max(u0 - 1.0 / 65536.0, 0.0), min(u1 + 1.0 / 65536.0, 1.0));
-    BernsteinChanges changes = noChanges();
-    ONLY_IF(bernsteinLeast(wanted) < -doubt && bernsteinMost(wanted) > doubt) {
-        changes = bernsteinChanges(order, doubt);
-    }
+    TurningPolynomials mine = polynomialsOf(a, place), theirs = polynomialsOf(b, place);
+    Nonic order = orderOf(mine, theirs);
+    if (!isFirst) order = Nonic(-order.low, -order.middle, -order.high);
+    float doubt = orderDoubt(mine, theirs);
+    Nonic wanted = nonicPart(order, max(u0 - 1.0 / 65536.0, 0.0), min(u1 + 1.0 / 65536.0, 1.0));
+    OrderChanges changes = noNonicChanges();
+    ONLY_IF(leastOf(wanted) < -doubt && mostOf(wanted) > doubt) changes = nonicChanges(order, doubt);
     return changes;
 }
 #endif

@@ -131,7 +131,7 @@ void insert(Seen mine, float a, float b) {
         uint number = numbers[k];
         vec2 depth = depths[k];
         bool overlaps = x < y && mine.depth.x <= depth.y;  // else it is hidden
-        bool isInDoubt = overlaps && mine.depth.y >= depth.x;
+        bool isInDoubt = overlaps && mine.depth.y >= depth.x && depth.x < farAway;
         if (overlaps && begin < x) append(number, x, depth);
         if (overlaps && !isInDoubt) append(mine.number, y, mine.depth);
         ONLY_IF(isInDoubt) appendNearer(mine, number, depth, x, y);

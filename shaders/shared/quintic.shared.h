@@ -67,26 +67,53 @@ SHARED_FUNCTION float certainSign(float b, float doubt) {
     return b > doubt ? SHARED_FLOAT(1.0) : (b < -doubt ? SHARED_FLOAT(-1.0) : SHARED_FLOAT(0.0));
 }
 
-/// The signs of the coefficients: how often they change, those left out that are 0 but for `doubt`, and the first and
-/// the last of the others; 0 where there are none.
-struct QuinticSigns {
+/// The signs of coefficients in order: how often they change, those left out that are 0 but for a doubt, and the first
+/// and the last of the others; 0 where there are none.
+struct CoefficientSigns {
     uint variations;
     float first, last;
-    bool beginsInDoubt;
 };
 
-SHARED_FUNCTION QuinticSigns signsOf(Quintic p, float doubt) {
+SHARED_FUNCTION CoefficientSigns signOfFirst(float b, float doubt) {
+    float side = certainSign(b, doubt);
+    return CoefficientSigns(0u, side, side);
+}
+
+SHARED_FUNCTION CoefficientSigns withSign(CoefficientSigns s, float side) {
     const float zero = SHARED_FLOAT(0.0);
-    float opening = certainSign(p.low.x, doubt);
-    QuinticSigns s = QuinticSigns(0u, opening, opening, opening == zero);
-    for (int i = 1; i < 6; ++i) {
-        float b = i == 1 ? p.low.y : (i == 2 ? p.low.z : (i == 3 ? p.high.x : (i == 4 ? p.high.y : p.high.z)));
-        float side = certainSign(b, doubt);
-        if (side * s.last < zero) s.variations += 1u;
-        if (s.first == zero) s.first = side;
-        if (side != zero) s.last = side;
-    }
+    if (side * s.last < zero) s.variations += 1u;
+    if (s.first == zero) s.first = side;
+    if (side != zero) s.last = side;
     return s;
+}
+
+SHARED_FUNCTION CoefficientSigns signsOf(Quintic p, float doubt) {
+    CoefficientSigns s = signOfFirst(p.low.x, doubt);
+    s = withSign(withSign(s, certainSign(p.low.y, doubt)), certainSign(p.low.z, doubt));
+    s = withSign(withSign(s, certainSign(p.high.x, doubt)), certainSign(p.high.y, doubt));
+    return withSign(s, certainSign(p.high.z, doubt));
+}
+
+/// What becomes of a dyadic piece of [0, 1] in which a polynomial's changes of sign are sought.
+struct PieceOfChanges {
+    bool isHalved;  // else it has one change, or none
+    bool changes;
+};
+
+/// `first`: the sign before the piece, which may be known better from the one to its left.
+SHARED_FUNCTION PieceOfChanges pieceOfChanges(CoefficientSigns signs, float first, float width) {
+    bool changes = first * signs.last < SHARED_FLOAT(0.0);
+    uint variations = signs.variations + (first * signs.first < SHARED_FLOAT(0.0) ? 1u : 0u);
+    float least = changes ? SHARED_FLOAT(5.9604645e-8) : SHARED_FLOAT(9.5367432e-7);
+    bool isSingle = changes && variations <= 1u;
+    return PieceOfChanges(!isSingle && (changes || variations > 1u) && width > least, changes);
+}
+
+/// Of the largest dyadic piece that begins there and is no smaller.
+SHARED_FUNCTION float widthFrom(float begin, float width) {
+    while (width < SHARED_FLOAT(1.0) && fract(begin / (SHARED_FLOAT(2.0) * width)) == SHARED_FLOAT(0.0))
+        width *= SHARED_FLOAT(2.0);
+    return width;
 }
 
 /// Where it changes its sign inside (0, 1), at most five times; 2 in the places that are free.
@@ -96,10 +123,10 @@ struct QuinticChanges {
 };
 
 /// The change of sign between `low` and `high`, of which there is one: by halving, to 2^-24, by the value's own sign.
-SHARED_FUNCTION float quinticChange(Quintic p, float low, float high, bool positiveAtLow) {
+SHARED_FUNCTION float quinticChange(Quintic p, float low, float high, float signAtLow) {
     for (int i = 0; i < 25 && high - low > SHARED_FLOAT(5.9604645e-8); ++i) {
         float middle = SHARED_FLOAT(0.5) * (low + high);
-        if ((quinticAt(p, middle) > SHARED_FLOAT(0.0)) == positiveAtLow)
+        if (signAtLow * quinticAt(p, middle) > SHARED_FLOAT(0.0))
             low = middle;
         else
             high = middle;
@@ -120,17 +147,15 @@ SHARED_FUNCTION QuinticChanges quinticChanges(Quintic p, float doubt) {
     float width = one, before = zero;
     float begin = leastOf(p) < -doubt && mostOf(p) > doubt ? zero : one;
     for (int i = 0; begin < one && i < QUINTIC_PIECES; ++i) {
-        QuinticSigns signs = signsOf(quinticPart(p, begin, begin + width), doubt);
+        CoefficientSigns signs = signsOf(quinticPart(p, begin, begin + width), doubt);
         float first = before != zero ? before : signs.first;  // ends that two pieces share round to two values
-        bool changes = first * signs.last < zero;
-        float least = changes ? SHARED_FLOAT(5.9604645e-8) : SHARED_FLOAT(9.5367432e-7);
-        bool isSingle = changes && signs.variations <= 1u;
-        if (!isSingle && (changes || signs.variations > 1u) && width > least) {
+        PieceOfChanges piece = pieceOfChanges(signs, first, width);
+        if (piece.isHalved) {
             width *= SHARED_FLOAT(0.5);
             continue;
         }
-        if (changes) {
-            float at = quinticChange(p, begin, begin + width, first > zero);
+        if (piece.changes) {
+            float at = quinticChange(p, begin, begin + width, first);
             if (count == 0u) found.first.x = at;
             if (count == 1u) found.first.y = at;
             if (count == 2u) found.first.z = at;
@@ -140,8 +165,7 @@ SHARED_FUNCTION QuinticChanges quinticChanges(Quintic p, float doubt) {
         }
         if (signs.last != zero) before = signs.last;
         begin += width;
-        // On to the largest dyadic piece that begins here.
-        while (width < one && fract(begin / (two * width)) == zero) width *= two;
+        width = widthFrom(begin, width);
     }
     return found;
 }

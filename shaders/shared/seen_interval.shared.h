@@ -1,9 +1,8 @@
 #ifdef __cplusplus
 #pragma once
 #endif
-#include "shared/bernstein.shared.h"
 #include "shared/moving_triangle.shared.h"
-#include "shared/quintic.shared.h"
+#include "shared/nonic.shared.h"
 
 SHARED_BEGIN
 
@@ -16,8 +15,9 @@ struct ViewPath {
 /// When the ray of an image position meets a moving triangle, and how far from the eye's plane, as polynomials in u, of
 /// a view that turns.
 struct TurningPolynomials {
-    Bernstein edge0, edge1, edge2;  // edgeFunctions; degree 4
-    Bernstein depth;  // sum of edge times depth: the depth is this over the edges' sum, and over the ray's z
+    Quintic edge0, edge1, edge2;  // edgeFunctions, of degree 4
+    Quartic area;                 // their sum
+    Quintic depth;                // sum of edge times depth: the depth is this over the area, and over the ray's z
 };
 
 SHARED_FUNCTION float crossOf2(vec2 a, vec2 b) {
@@ -57,20 +57,14 @@ SHARED_FUNCTION QuadraticPlace fromTurningRay(vec3 v0, vec3 v1, vec3 ray0, vec3 
     return QuadraticPlace(first, SHARED_FLOAT(0.5) * (one + other), last);
 }
 
-/// a(u) x b(u), both quadratic: degree 4. Swapping a and b flips all signs exactly.
-SHARED_FUNCTION Bernstein edgeOfQuadratic(QuadraticPlace a, QuadraticPlace b) {
+/// a(u) x b(u), both quadratic. Swapping a and b flips all signs exactly.
+SHARED_FUNCTION Quartic edgeOfQuadratic(QuadraticPlace a, QuadraticPlace b) {
     const float oneHalf = SHARED_FLOAT(0.5), four = SHARED_FLOAT(4.0), sixth = SHARED_FLOAT(0.16666667);
     SHARED_PRECISE float c1 = oneHalf * (crossOf2(a.first, b.middle) + crossOf2(a.middle, b.first));
     SHARED_PRECISE float ends = crossOf2(a.first, b.last) + crossOf2(a.last, b.first);
     SHARED_PRECISE float c2 = sixth * (ends + four * crossOf2(a.middle, b.middle));
     SHARED_PRECISE float c3 = oneHalf * (crossOf2(a.middle, b.last) + crossOf2(a.last, b.middle));
-    Bernstein p = bernsteinConstant(crossOf2(a.first, b.first));
-    p.degree = 4u;
-    p.b[1] = c1;
-    p.b[2] = c2;
-    p.b[3] = c3;
-    p.b[4] = crossOf2(a.last, b.last);
-    return p;
+    return Quartic(vec4(crossOf2(a.first, b.first), c1, c2, c3), crossOf2(a.last, b.last));
 }
 
 SHARED_FUNCTION QuadraticEdges quadraticEdges(ViewPath v, vec2 position) {
@@ -139,8 +133,8 @@ SHARED_FUNCTION float orderDoubt(DepthAlongRay a, DepthAlongRay b, float depthSp
     return SHARED_FLOAT(9.5367432e-7) * (termA + termB + (a.edges * mostB + b.edges * mostA) * depthSpan);
 }
 
-/// Its sign changes where the depth passes `least`. From what each vertex is beyond it: the depth times the area has lost
-/// that where the two nearly cancel.
+/// Its sign changes where the depth passes `least`. From what each vertex is beyond it: the depth times the area has
+/// lost that where the two nearly cancel.
 SHARED_FUNCTION vec4 beyondDepth(ViewPath v, QuadraticEdges e, float least) {
     return cubicProduct(e.edge0, v.open0.z - least, v.close0.z - least) +
            cubicProduct(e.edge1, v.open1.z - least, v.close1.z - least) +
@@ -152,37 +146,40 @@ SHARED_FUNCTION TurningPolynomials turningPolynomials(ViewPath v, vec3 ray0, vec
     QuadraticPlace q0 = fromTurningRay(v.open0, v.close0, ray0, ray1),
                    q1 = fromTurningRay(v.open1, v.close1, ray0, ray1),
                    q2 = fromTurningRay(v.open2, v.close2, ray0, ray1);
+    Quartic e0 = edgeOfQuadratic(q1, q2), e1 = edgeOfQuadratic(q2, q0), e2 = edgeOfQuadratic(q0, q1);
     const float one = SHARED_FLOAT(1.0);
-    TurningPolynomials s;
-    s.edge0 = edgeOfQuadratic(q1, q2);
-    s.edge1 = edgeOfQuadratic(q2, q0);
-    s.edge2 = edgeOfQuadratic(q0, q1);
-    s.depth = bernsteinProduct(s.edge0, bernsteinLinear(v.open0.z, v.close0.z));
-    s.depth = bernsteinSum(s.depth, bernsteinProduct(s.edge1, bernsteinLinear(v.open1.z, v.close1.z)), one);
-    s.depth = bernsteinSum(s.depth, bernsteinProduct(s.edge2, bernsteinLinear(v.open2.z, v.close2.z)), one);
-    return s;
-}
-
-/// Sum of the edge functions.
-SHARED_FUNCTION Bernstein areaOf(TurningPolynomials s) {
-    return bernsteinSum(bernsteinSum(s.edge0, s.edge1, SHARED_FLOAT(1.0)), s.edge2, SHARED_FLOAT(1.0));
+    return TurningPolynomials(
+        quinticOfQuartic(e0, one, one), quinticOfQuartic(e1, one, one), quinticOfQuartic(e2, one, one),
+        quarticSum(quarticSum(e0, e1), e2),
+        quinticSum(quinticSum(quinticOfQuartic(e0, v.open0.z, v.close0.z), quinticOfQuartic(e1, v.open1.z, v.close1.z)),
+                   quinticOfQuartic(e2, v.open2.z, v.close2.z)));
 }
 
 /// Is the triangle proven to be met at no time, from its front or, if it is two-sided, from its back?
-SHARED_FUNCTION bool neverSeen(TurningPolynomials s, bool doubleSided) {
-    float most = min(min(bernsteinMost(s.edge0), bernsteinMost(s.edge1)), bernsteinMost(s.edge2));
-    float least = max(max(bernsteinLeast(s.edge0), bernsteinLeast(s.edge1)), bernsteinLeast(s.edge2));
+SHARED_FUNCTION bool neverSeen(Quintic edge0, Quintic edge1, Quintic edge2, bool doubleSided) {
+    float most = min(min(mostOf(edge0), mostOf(edge1)), mostOf(edge2));
+    float least = max(max(leastOf(edge0), leastOf(edge1)), leastOf(edge2));
     return most < SHARED_FLOAT(0.0) && (!doubleSided || least > SHARED_FLOAT(0.0));
 }
 
-SHARED_FUNCTION float orderDoubt(Bernstein depthA, Bernstein areaA, Bernstein depthB, Bernstein areaB) {
-    return SHARED_FLOAT(9.5367432e-7) *
-           (bernsteinSize(depthA) * bernsteinSize(areaB) + bernsteinSize(depthB) * bernsteinSize(areaA));
+SHARED_FUNCTION float sizeOf(Quintic p) { return max(-leastOf(p), mostOf(p)); }
+SHARED_FUNCTION float sizeOf(Quartic p) {
+    vec4 size = abs(p.low);
+    return max(max(max(size.x, size.y), max(size.z, size.w)), abs(p.last));
 }
 
-/// As above, of degree 9. Of what does not move: `depth` a constant times the ray's z, and the area 1.
-SHARED_FUNCTION Bernstein orderOf(Bernstein depthA, Bernstein areaA, Bernstein depthB, Bernstein areaB) {
-    return bernsteinSum(bernsteinProduct(depthA, areaB), bernsteinProduct(depthB, areaA), SHARED_FLOAT(-1.0));
+/// As orderOf of a view that does not turn.
+SHARED_FUNCTION Nonic orderOf(TurningPolynomials a, TurningPolynomials b) {
+    return nonicDifference(nonicProduct(a.depth, b.area), nonicProduct(b.depth, a.area));
+}
+
+SHARED_FUNCTION float orderDoubt(TurningPolynomials a, TurningPolynomials b) {
+    return SHARED_FLOAT(9.5367432e-7) * (sizeOf(a.depth) * sizeOf(b.area) + sizeOf(b.depth) * sizeOf(a.area));
+}
+
+/// Its sign changes where the depth passes `least`; the ray's z goes from z0 to z1.
+SHARED_FUNCTION Quintic beyondDepth(TurningPolynomials a, float least, float z0, float z1) {
+    return quinticDifference(a.depth, quinticOfQuartic(a.area, least * z0, least * z1));
 }
 
 SHARED_END
