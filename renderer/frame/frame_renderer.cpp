@@ -162,7 +162,7 @@ TechniqueFrame FrameRenderer::techniqueFrame() {
 std::vector<FrameRenderer::PartValue> FrameRenderer::readParts() const {
     CHECK(hasIntervalSamples());
     const IntervalSamples::Read read = intervals_.read();
-    const std::vector<glm::vec2> values = readArray<glm::vec2>(partLookup_.values(), GL_RG, GL_FLOAT);
+    const std::vector<glm::vec4> values = readArray<glm::vec4>(partLookup_.values(), GL_RGBA, GL_FLOAT);
     std::vector<PartValue> result;
     result.reserve(read.parts.size());
     for (std::size_t i = 0; i < read.parts.size(); ++i)
@@ -188,9 +188,10 @@ void FrameRenderer::drawSamples(const FramePlan& plan) {
 void FrameRenderer::drawShade(const FramePlan& plan) {
     if (plan.block.positions == 0)
         return shadePass_.draw(plan, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
-    shadePass_.draw(plan, fullscreen_,
-                    {intervals_.parts(), intervals_.partsOfPositions(), partLookup_.values(), technique_->solvesIntervals()},
-                    view_, *radiance_);
+    shadePass_.draw(
+        plan, fullscreen_,
+        {intervals_.parts(), intervals_.partsOfPositions(), partLookup_.values(), technique_->solvesIntervals()}, view_,
+        *radiance_);
 }
 
 void FrameRenderer::drawLookup(const TechniqueFrame& frame) {

@@ -22,9 +22,10 @@ void PartLookup::draw(const TechniqueFrame& frame, const Lookup& lookup, const I
                             "GL_MAX_TEXTURE_SIZE is {}: draw a smaller picture, or lower --spp",
                             samples.partCount(), rows, largest));
         values_.reset();
-        values_ = gl::Texture::image2D("visibility of parts", GL_RG32F, width, std::min(largest, rows + rows / 8 + 1));
-        const GLfloat none[2] = {1.0f, 0.0f};
-        glClearTexImage(values_->name(), 0, GL_RG, GL_FLOAT, none);
+        values_ =
+            gl::Texture::image2D("visibility of parts", GL_RGBA32F, width, std::min(largest, rows + rows / 8 + 1));
+        const GLfloat none[4] = {1.0f, 0.0f, 0.5f, 0.25f};
+        glClearTexImage(values_->name(), 0, GL_RGBA, GL_FLOAT, none);
     }
     LookupProgram wanted = lookup.program(Casters::All);
     gl::ShaderDefines defines = frame.defines();

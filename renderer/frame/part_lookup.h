@@ -16,8 +16,9 @@ class PartLookup {
     explicit PartLookup(gl::ProgramCache& programs) : programs_(programs), target_("part visibility target") {}
     void draw(const TechniqueFrame& frame, const Lookup& lookup, const IntervalSamples& samples, bool solvesIntervals);
 
-    /// RG32F, part i in column i % SEEN_PARTS_IN_ROW and row i / SEEN_PARTS_IN_ROW. x: lit, over the times at which the
-    /// receiver is tested; y: their share of the part.
+    /// RGBA32F, part i in column i % SEEN_PARTS_IN_ROW and row i / SEEN_PARTS_IN_ROW. x: lit, over the times at which
+    /// the receiver is tested; y: their share of the part. Where intervals are solved, of the times at which it is lit,
+    /// from 0 to 1 over the part, z: the mean, w: the mean of the squares.
     const gl::Texture& values() const { return *values_; }
     std::size_t bytes() const { return values_ ? values_->bytes() : 0; }
 

@@ -10,9 +10,10 @@
 // for a receiver that faces the light and lies inside its cone, and includes lib/lookup_main.glsl last.
 //
 // A technique that solves intervals (Technique::solvesIntervals) also defines
-//     vec2 litAlong(MovingTriangle t, uint id, vec2 position, float u0, float u1)
+//     vec4 litAlong(MovingTriangle t, uint id, vec2 position, float u0, float u1)
 //         the same for what the ray of an image position sees of the triangle, all through [u0, u1]. x: the mean over
-//         the times at which the receiver faces the light inside its cone; y: their share of the exposure.
+//         the times at which the receiver faces the light inside its cone; y: their share of the exposure; z, w: of the
+//         times at which it is lit, from 0 at u0 to 1 at u1, the mean and the mean of the squares.
 //
 // INTERVAL_SAMPLES: values are those of parts (lib/seen_parts.glsl). SOLVES_INTERVALS: of all of a part.
 // STATIC_CASTERS_ONLY: dynamic casters are left out.

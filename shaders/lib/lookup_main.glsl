@@ -8,7 +8,9 @@
 // cell, so that the minimum over all samples bounds a pixel's cells.
 #ifdef INTERVAL_SAMPLES
 uniform uint partCount;
-layout(location = 0) out vec2 outputLit;  // over the times at which the receiver is tested, and their share
+// x: lit, over the times at which the receiver is tested; y: their share of the part; z, w: of the times at which it is
+// lit, from 0 to 1 over the part, the mean and the mean of the squares.
+layout(location = 0) out vec4 outputLit;
 #else
 layout(location = 0) out float outputLit;
 #endif
@@ -35,7 +37,7 @@ float litOfSample(MovingTriangle t, Receiver r) {
 #ifdef INTERVAL_SAMPLES
 void main() {
     uint number = uint(gl_FragCoord.y) * SEEN_PARTS_IN_ROW + uint(gl_FragCoord.x);
-    outputLit = vec2(1.0, 0.0);
+    outputLit = vec4(1.0, 0.0, 0.5, 0.25);
     if (number >= partCount) return;
     SeenPart part = seenPart(number);
     if (part.triangle == NO_TRIANGLE) return;
@@ -47,7 +49,7 @@ void main() {
     samplePixel = part.pixel;
     Receiver r = receiverOnRay(t, part.triangle, part.place, part.time);
     if (!facesLight(r)) return;
-    outputLit = vec2(litOfSample(t, r), 1.0);
+    outputLit.xy = vec2(litOfSample(t, r), 1.0);
 #endif
 }
 #else

@@ -104,15 +104,44 @@ vec3 shade(Receiver r, uint material, float lit) {
 }
 
 #ifdef INTERVAL_SAMPLES
+// Shading at one time, with the light and without.
+struct Shaded {
+    vec3 unlit, direct;
+};
+
+Shaded shadedAt(MovingTriangle t, SeenPart part, float share) {
+    Receiver r = receiverOnRay(t, part.triangle, part.place, mix(part.begin, part.end, share));
+    Shaded s;
+    s.unlit = shade(r, t.material, 0.0);
+    s.direct = shade(r, t.material, 1.0) - s.unlit;
+    return s;
+}
+
+// The mean of shading times visibility over a part. Shading is taken for quadratic in time, through the three nodes of
+// Gauss and Legendre: what is lit early and what is lit late count as they are shaded then.
+vec3 meanOver(MovingTriangle t, SeenPart part, vec4 value) {
+    const float node = 0.38729833;  // from the middle: sqrt(3 / 20)
+    Shaded first = shadedAt(t, part, 0.5 - node), middle = shadedAt(t, part, 0.5), last = shadedAt(t, part, 0.5 + node);
+    vec3 unlit = (5.0 * (first.unlit + last.unlit) + 8.0 * middle.unlit) / 18.0;
+    float mean = (value.z - 0.5) / node, square = max(value.w - value.z + 0.25, 0.0) / (node * node);
+    vec3 direct = 0.5 * (square - mean) * first.direct + (1.0 - square) * middle.direct +
+                  0.5 * (square + mean) * last.direct;
+    return unlit + value.x * value.y * max(direct, vec3(0.0));
+}
+
 vec3 colourOf(uint number, SeenPart part) {
     ivec2 at = ivec2(number % SEEN_PARTS_IN_ROW, number / SEEN_PARTS_IN_ROW);
-    vec2 value = texelFetch(visibilityOfParts, at, 0).xy;
+    vec4 value = texelFetch(visibilityOfParts, at, 0);
 #ifdef VIEW_VISIBILITY
     return vec3(part.triangle == NO_TRIANGLE ? 1.0 : value.x * value.y);
 #else
     if (part.triangle == NO_TRIANGLE) return frame.background.rgb;
     MovingTriangle t = fetchTriangle(part.triangle);
+#ifdef SOLVES_INTERVALS
+    return meanOver(t, part, value);
+#else
     return shade(receiverOnRay(t, part.triangle, part.place, part.time), t.material, value.x * value.y);
+#endif
 #endif
 }
 

@@ -21,6 +21,7 @@ ORDINARY = {
     "app/options/frame_options.cpp": ("intervals",),  # interval samples of the camera
     "app/options_text.cpp": ("intervals",),
     "app/report.cpp": ("intervals",),
+    "renderer/measure/technique_variant.cpp": ("intervals",),
     "renderer/measure/verification_json.cpp": ("intervals",),
     "tests/cli/refusals_test.py": ("intervals",),
     "renderer/passes/light_maps.cpp": ("static",),  # static casters

@@ -233,6 +233,33 @@ TEST(IntervalSamples, HaveNoNoiseInTime) {
     }
 }
 
+/// Where a light moves, what is lit early is shaded as it is early: the mean of shading times visibility, against
+/// `exact` at many instants of the same positions.
+TEST(IntervalSamples, AreShadedAsTheyAreLit) {
+    const std::unique_ptr<Scene> scene = openScene("pillars", {}, {});
+    FrameRequest request = requestOf(*scene, intervalRequest(1));
+    request.pixelCentres = true;
+    FramePlanner planner(*scene);
+    const auto radianceOf = [&](const char* name) {
+        const std::unique_ptr<Technique> technique = makeTechnique(name, sharedRenderer().programs());
+        sharedRenderer().draw(planner.plan(request), *technique, View::Final);
+        return sharedRenderer().readRadiance().rgb;
+    };
+    const std::vector<float> solved = radianceOf("integral");
+    constexpr std::uint32_t seeds = 8;
+    std::vector<double> sampled(solved.size());
+    request.timeStrata = 32;
+    for (request.seed = 1; request.seed <= seeds; ++request.seed) {
+        const std::vector<float> picture = radianceOf("exact");
+        for (std::size_t i = 0; i < sampled.size(); ++i) sampled[i] += static_cast<double>(picture[i]) / seeds;
+    }
+    double squares = 0.0;
+    for (std::size_t i = 0; i < solved.size(); ++i)
+        squares += std::pow(static_cast<double>(solved[i]) - sampled[i], 2.0);
+    // Most of it is the noise of the instants; shading in the middle of each segment has 0.00102.
+    EXPECT_LE(std::sqrt(squares / static_cast<double>(solved.size())), 6e-4);
+}
+
 /// Nothing moves: one sample a position, drawn as ever.
 TEST(IntervalSamples, OfAStaticSceneAreItsSamples) {
     const std::unique_ptr<Scene> scene = openScene("cubes", {}, {});

@@ -132,11 +132,29 @@ float exposureOf(ReceiverSegment s, TimeUnion u, float from, float to) {
     return sum;
 }
 
+// An exposure, and the integrals over it of the time and of its square, as shares of the segment.
+vec3 momentsOf(ReceiverSegment s, float begin, float end) {
+    float exposure = max(exposureUntil(s, end) - exposureUntil(s, begin), 0.0);
+    float middle = 0.5 * (begin + end) / TICKS, length = (end - begin) / TICKS;
+    return exposure * vec3(1.0, middle, middle * middle + length * length / 12.0);
+}
+
+vec3 momentsOf(ReceiverSegment s, TimeUnion u, float from, float to) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        float a = max(u.begin0[i], from), b = min(u.end0[i], to), c = max(u.begin1[i], from), d = min(u.end1[i], to);
+        if (a < b) sum += momentsOf(s, a, b);
+        if (c < d) sum += momentsOf(s, c, d);
+    }
+    return sum;
+}
+
 // The exposure during which the receiver sees the light (x), and that during which it is tested (y), as shares of the
-// segment's. Where the union is full the interval is halved and the candidates are read again: nothing is merged, and
-// no order matters.
-vec2 exposuresOver(ReceiverSegment s) {
+// segment's; and of the former the moments. Where the union is full the interval is halved and the candidates are read
+// again: nothing is merged, and no order matters.
+vec4 exposuresOver(ReceiverSegment s) {
     float lit = 0.0;
+    vec2 moments = vec2(0.0);
     vec2 wanted = vec2(s.first, s.last);
     while (wanted.x < s.last) {
         TimeUnion dark = darkTimes(s, wanted);
@@ -147,6 +165,10 @@ vec2 exposuresOver(ReceiverSegment s) {
             continue;
         }
         lit += exposureUntil(s, wanted.y) - exposureUntil(s, wanted.x) - exposureOf(s, dark, wanted.x, wanted.y);
+#ifdef SOLVES_INTERVALS
+        moments += momentsOf(s, wanted.x, wanted.y).yz;
+        ONLY_IF(dark.covered > 0.0) moments -= momentsOf(s, dark, wanted.x, wanted.y).yz;
+#endif
         if (intervalsOf(dark) <= 3.0) width *= 2.0;
         wanted = vec2(wanted.y, min(s.last, wanted.y + width));
     }
@@ -154,30 +176,41 @@ vec2 exposuresOver(ReceiverSegment s) {
     float until = min(wanted.x, s.last);
     doubt += s.last - until;
     float tested = exposureUntil(s, until) - exposureUntil(s, s.first) - exposureOf(s, s.untested, s.first, until);
-    return vec2(lit, tested) / TICKS;
+    return vec4(lit, tested, moments) / TICKS;
 }
 
 float litOver(MovingTriangle t, Receiver r, float u0, float u1) {
-    vec2 exposures = exposuresOver(segmentOn(t, r, u0, u1));
+    vec2 exposures = exposuresOver(segmentOn(t, r, u0, u1)).xy;
     return exposures.y > 0.0 ? exposures.x / exposures.y : 1.0;
 }
 
 #ifdef SOLVES_INTERVALS
 float exposureUntil(float u) { return shutterExposure(frame.response, frame.responseWidth, u); }
 
-vec2 litAlong(MovingTriangle t, uint id, vec2 position, float u0, float u1) {
+// Of a segment that is a part of another, from `begin` to `end` of it: moments as of the other.
+vec4 asPart(vec4 e, float begin, float end) {
+    float length = end - begin;
+    e.w = begin * begin * e.x + 2.0 * begin * length * e.z + length * length * e.w;
+    e.z = begin * e.x + length * e.z;
+    return e;
+}
+
+vec4 litAlong(MovingTriangle t, uint id, vec2 position, float u0, float u1) {
     Receiver open = receiverOnRay(t, id, position, u0), last = receiverOnRay(t, id, position, u1);
     int chords = chordsOf(t, open, last, position);
     float whole = exposureUntil(u1) - exposureUntil(u0);
-    vec2 sum = vec2(0.0);
+    vec4 sum = vec4(0.0);
     for (int i = 1; i <= chords; ++i) {
         Receiver close = last;
         ONLY_IF(i < chords) close = receiverOnRay(t, id, position, mix(u0, u1, float(i) / float(chords)));
         float weight = (exposureUntil(close.time) - exposureUntil(open.time)) / whole;
-        sum += weight * exposuresOver(segmentAlong(t, open, close));
+        sum += weight * asPart(exposuresOver(segmentAlong(t, open, close)), float(i - 1) / float(chords),
+                               float(i) / float(chords));
         open = close;
     }
-    return sum.y > 0.0 ? vec2(clamp(sum.x / sum.y, 0.0, 1.0), min(sum.y, 1.0)) : vec2(1.0, 0.0);
+    if (sum.y <= 0.0) return vec4(1.0, 0.0, 0.5, 0.25);
+    vec2 times = sum.x > 0.0 ? clamp(sum.zw / sum.x, 0.0, 1.0) : vec2(0.5, 0.25);
+    return vec4(clamp(sum.x / sum.y, 0.0, 1.0), min(sum.y, 1.0), times);
 }
 #endif
 
