@@ -153,7 +153,7 @@ TEST(ForeignImage, SurvivesDamage) {
 
 TEST(ForeignImage, SaysWhatDecodingHasSpentAlsoWhereItFails) {
     for (std::vector<std::uint8_t> bytes : {pngOf(PNG_FORMAT_RGB, 3), jpegOf(3, JCS_RGB, false)}) {
-        bytes.resize(bytes.size() * 3 / 4);
+        bytes.resize(bytes.size() - 30);  // its header is whole
         std::size_t spent = 0;
         ImageLimits limits;
         limits.spent = &spent;
