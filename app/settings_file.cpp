@@ -66,6 +66,8 @@ nlohmann::json parsed(const std::string& text, const std::string& path, int firs
     if (isNestedTooDeeply(text))
         throw Error(
             fmt::format("{}: is nested more than {} levels deep; expected an object of settings", path, deepestJson));
+    if (text.find('\0') != std::string::npos)  // where the parser would end, and call all before it whole
+        throw Error(fmt::format("{}: holds a zero byte; expected an object of settings", path));
     try {
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {

@@ -80,8 +80,8 @@ nlohmann::json partsIn(const nlohmann::json& json, const std::string& path) {
 }  // namespace
 
 ScriptText scriptOfJson(const std::string& text, const std::string& path) {
-    const nlohmann::json json =
-        isNestedTooDeeply(text) ? nlohmann::json() : nlohmann::json::parse(text, nullptr, false);
+    const bool readable = !isNestedTooDeeply(text) && text.find('\0') == std::string::npos;
+    const nlohmann::json json = readable ? nlohmann::json::parse(text, nullptr, false) : nlohmann::json();
     const nlohmann::json parts = partsIn(json, path);
     ScriptText script;
     for (const JsonPiece& options : objectsUnder(text, "options"))

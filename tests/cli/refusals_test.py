@@ -144,6 +144,7 @@ class SettingsFiles(ProgramTest):
 
     def test_files_that_are_not_json(self):
         for text in ("spp = 8", '{"spp": 8', '{"spp": 8} trailing', "{'spp': 8}", b"\xff\xfe\x00", b"\0\0\0\0",
+                     b'{}\0{"\xc4":',
                      "[" * 5000):
             with self.subTest(text=text[:20]):
                 self.refuse_file(1, text, ("s.json", "expected"))

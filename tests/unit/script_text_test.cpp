@@ -41,6 +41,7 @@ TEST(ScriptText, TheLineIsNamed) {
     EXPECT_TRUE(refusal("{\n\"options\": {\n\"output\": \"x\"}, \"parts\": [{\"scene\": \"a\"}]}")
                     .starts_with("s.json:3: \"output\""));
     EXPECT_TRUE(refusal(R"({"parts": [{"scene": "a"}, 3]})").starts_with("s.json: part 2 is number"));
+    EXPECT_NE(refusal(std::string("{\"parts\": [{\"scene\": \"a\"}]}\0 \"\xc4\":", 33)), "");
     EXPECT_TRUE(refusal(R"({"options": 3, "parts": [{"scene": "a"}]})").starts_with("s.json: \"options\" is number"));
 }
 
