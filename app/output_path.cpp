@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "image/part_file.h"
 
 namespace timeshade {
 
 std::filesystem::path madeFolder(const std::filesystem::path& folder) {
+    followOwnLinks(folder.has_filename() ? folder : folder.parent_path());
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure)

@@ -13,23 +13,24 @@ namespace {
 void appendVector(std::string& text, const glm::dvec3& v) {
     fmt::format_to(std::back_inserter(text), ",{:.9g},{:.9g},{:.9g}", v.x, v.y, v.z);
 }
+
+/// The folder, if it may be made.
+std::filesystem::path unused(std::filesystem::path folder) {
+    if (!folder.has_filename()) folder = folder.parent_path();  // it ends in a slash
+    std::error_code failure;
+    if (std::filesystem::exists(folder, failure) && !std::filesystem::is_empty(folder, failure))
+        throw Error(fmt::format("--dump {}: is there already; expected a new or an empty folder", folder.string()));
+    const std::filesystem::path parent = folder.parent_path();
+    if (!parent.empty()) std::filesystem::create_directories(parent, failure);  // PartFolder says why it can't be
+    return folder;
+}
+
 }  // namespace
 
 SampleDump::SampleDump(const std::filesystem::path& folder, const FramePlan& plan)
-    : folder_(folder), part_(folder.string() + ".part"), samples_("px,py,k,u,id,x,y,z,tested,lit\n") {
-    std::error_code failure;
-    if (std::filesystem::exists(folder_, failure) && !std::filesystem::is_empty(folder_, failure))
-        throw Error(fmt::format("--dump {}: is there already; expected a new or an empty folder", folder_.string()));
-    std::filesystem::remove_all(part_, failure);
-    std::filesystem::create_directories(part_, failure);
-    if (failure) throw Error(fmt::format("--dump {}: cannot be made ({})", folder_.string(), failure.message()));
+    : part_(unused(folder)), samples_("px,py,k,u,id,x,y,z,tested,lit\n") {
     writeTriangles(plan);
     writeLight(plan);
-}
-
-SampleDump::~SampleDump() {
-    std::error_code ignored;
-    if (!finished_) std::filesystem::remove_all(part_, ignored);
 }
 
 void SampleDump::writeTriangles(const FramePlan& plan) const {
@@ -44,7 +45,7 @@ void SampleDump::writeTriangles(const FramePlan& plan) const {
                 appendVector(text, glm::dvec3(plan.texels->vertices[2 * std::size_t{triangles[id][corner]} + end]));
         text += "\n";
     }
-    writeFileAtomically(part_ / "triangles.csv", text);
+    writeFileAtomically(part_.path() / "triangles.csv", text);
 }
 
 void SampleDump::writeLight(const FramePlan& plan) const {
@@ -58,7 +59,7 @@ void SampleDump::writeLight(const FramePlan& plan) const {
     appendVector(end, close);
     text += line.substr(1) + fmt::format(",{:.9g}", directional ? -2.0 : std::cos(plan.lightOpen.outerConeAngle)) +
             end + "\n";
-    writeFileAtomically(part_ / "light.csv", text);
+    writeFileAtomically(part_.path() / "light.csv", text);
 }
 
 void SampleDump::add(const VerifiedSample& s) {
@@ -69,12 +70,8 @@ void SampleDump::add(const VerifiedSample& s) {
 }
 
 void SampleDump::finish() {
-    writeFileAtomically(part_ / "samples.csv", samples_);
-    std::error_code failure;
-    std::filesystem::remove(folder_, failure);  // empty, as the constructor has seen
-    std::filesystem::rename(part_, folder_, failure);
-    if (failure) throw Error(fmt::format("--dump {}: cannot be made ({})", folder_.string(), failure.message()));
-    finished_ = true;
+    writeFileAtomically(part_.path() / "samples.csv", samples_);
+    part_.renameOntoTarget();
 }
 
 }  // namespace timeshade

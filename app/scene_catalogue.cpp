@@ -8,6 +8,7 @@
 
 #include "cases/closed_form_cases.h"
 #include "core/error.h"
+#include "loading_line.h"
 #include "scene/gltf_scene.h"
 #include "scene_memory.h"
 
@@ -62,6 +63,12 @@ std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTex
 }
 
 std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings) {
+    LoadingLine line(nameOrPath);
+    return openScene(nameOrPath, clip, settings, [&line](const LoadingStep& step) { line.show(step); });
+}
+
+std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings,
+                                 const LoadingWatch& watch) {
     if (nameOrPath.starts_with("case:")) {
         const ClosedFormCase& c = closedFormCase(nameOrPath.substr(5));
         if (!c.scene)
@@ -77,6 +84,7 @@ std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::strin
     GltfOptions options;
     options.clip = clip;
     options.memoryLimit = sceneMemoryLimit();
+    options.watch = watch;
     std::string known;
     for (const BuiltInScene& scene : builtInScenes()) {
         if (scene.name == nameOrPath) return loadGltf(sceneDirectory() / (scene.name + ".glb"), options);

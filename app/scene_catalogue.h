@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/loading.h"
 #include "scene/scene.h"
 #include "scenes/scene_recipe.h"
 
@@ -33,7 +34,12 @@ std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTex
 
 /// Loads or computes a built-in scene or a case by its name, or loads a .gltf or .glb file by its path. Throws
 /// UsageError for a name that is neither, Error for a file that can't be read or that has no such clip.
+/// A file that takes more than a second is told of on standard error.
 std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip,
                                  const SettingTexts& settings = {});
+
+/// The same, and `watch` is told instead.
+std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings,
+                                 const LoadingWatch& watch);
 
 }  // namespace timeshade

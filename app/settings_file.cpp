@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/file_bytes.h"
 #include "core/json_limits.h"
 #include "core/one_line.h"
 #include "json_lines.h"
@@ -62,15 +62,17 @@ void requireAllowed(const std::string& key, const std::string& place) {
                         place, oneLine(key)));
 }
 
-nlohmann::json parsed(const std::string& text, const std::string& path) {
+nlohmann::json parsed(const std::string& text, const std::string& path, int firstLine) {
     if (isNestedTooDeeply(text))
         throw Error(
             fmt::format("{}: is nested more than {} levels deep; expected an object of settings", path, deepestJson));
+    if (text.find('\0') != std::string::npos)  // where the parser would end, and call all before it whole
+        throw Error(fmt::format("{}: holds a zero byte; expected an object of settings", path));
     try {
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         const std::size_t end = std::min(error.byte, text.size());
-        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+        const auto line = firstLine + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
         throw Error(fmt::format("{}:{}: is not JSON; expected an object of settings", path, line));
     } catch (const nlohmann::json::exception&) {
         throw Error(fmt::format("{}: is not JSON; expected an object of settings", path));
@@ -79,12 +81,15 @@ nlohmann::json parsed(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-std::vector<FileSetting> settingsOfJson(const std::string& text, const std::string& path) {
-    const nlohmann::json json = parsed(text, path);
+std::vector<FileSetting> settingsOfJson(const std::string& text, const std::string& path, int firstLine,
+                                        const std::vector<std::string>& others) {
+    const nlohmann::json json = parsed(text, path, firstLine);
     if (!json.is_object())
         throw Error(fmt::format("{}: holds a JSON {}; expected an object of settings", path, json.type_name()));
     const std::map<std::string, int> lines = linesOfKeys(text);
-    const auto placeOf = [&](const std::string& key) { return fmt::format("{}:{}", path, lines.at(key)); };
+    const auto placeOf = [&](const std::string& key) {
+        return fmt::format("{}:{}", path, lines.at(key) + firstLine - 1);
+    };
     std::vector<FileSetting> settings;
     for (const auto& [key, value] : json.items()) {
         if (key == "set" && value.is_object()) {
@@ -92,9 +97,8 @@ std::vector<FileSetting> settingsOfJson(const std::string& text, const std::stri
                 settings.push_back({name, {"--set=" + name + "=" + textOf(setting)}, placeOf("set/" + name)});
             continue;
         }
-        if (key == "window" && value.is_object()) {
+        if ((key == "window" && value.is_object()) || std::find(others.begin(), others.end(), key) != others.end())
             continue;
-        }
         requireAllowed(key, placeOf(key));
         if (value.is_primitive() && !value.is_null()) {
             settings.push_back({key, optionOf(key, textOf(value)), placeOf(key)});
@@ -107,18 +111,12 @@ std::vector<FileSetting> settingsOfJson(const std::string& text, const std::stri
 }
 
 std::string textOfFile(const std::string& path, const std::string& option) {
-    const auto refuse = [&](const std::string& why) {
-        throw Error(fmt::format("{} '{}': {}; expected a JSON file of settings", option, path, why));
-    };
-    std::ifstream stream(path);
-    // A folder opens like a file and fails only when it is read.
-    if (!stream || stream.peek() == std::ifstream::traits_type::eof()) refuse("cannot be read");
-    std::string bytes(largestSettingsFile + 1, '\0');  // a device has no size, and may have no end
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (stream.bad()) refuse("cannot be read");
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
-    if (bytes.size() > largestSettingsFile) refuse(fmt::format("has more than {} bytes", largestSettingsFile));
-    return bytes;
+    try {
+        const std::vector<unsigned char> bytes = readFileBytes(path, largestSettingsFile);
+        return {bytes.begin(), bytes.end()};
+    } catch (const Error& error) {
+        throw Error(fmt::format("{} '{}': {}; expected a JSON file of settings", option, path, error.what()));
+    }
 }
 
 std::vector<FileSetting> readSettingsFile(const std::string& path) {

@@ -13,14 +13,15 @@ struct FileSetting {
 };
 
 /// What a JSON object of settings says: keys are the long options without their dashes, "set" an object of technique
-/// and scene settings, "window" an object of what is the window's alone, which is left out. `path` names the file in
-/// messages. Throws Error that names the line.
-std::vector<FileSetting> settingsOfJson(const std::string& text, const std::string& path);
+/// and scene settings, "window" an object of what is the window's alone, which is left out, as `others` are. `path`
+/// names the file in messages, where the text begins in `firstLine`. Throws Error that names the line.
+std::vector<FileSetting> settingsOfJson(const std::string& text, const std::string& path, int firstLine = 1,
+                                        const std::vector<std::string>& others = {});
 
 /// The same from a file.
 std::vector<FileSetting> readSettingsFile(const std::string& path);
 
-/// The whole file. Throws Error that names `option`.
+/// The whole file, which is a regular one of at most largestSettingsFile bytes. Throws Error that names `option`.
 std::string textOfFile(const std::string& path, const std::string& option);
 
 }  // namespace timeshade

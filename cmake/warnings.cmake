@@ -24,3 +24,9 @@ if(TIMESHADE_SANITIZE)
   target_compile_options(timeshade_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(timeshade_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(TIMESHADE_FUZZ)
+  # What a run has reached decides what is tried next.
+  target_compile_options(timeshade_options INTERFACE -fsanitize=fuzzer-no-link)
+  # Of Clang: other names for the two warnings that GCC has too, and for templates of macros.
+  target_compile_options(timeshade_options INTERFACE -Wno-gnu-zero-variadic-macro-arguments)
+endif()

@@ -96,17 +96,19 @@ Command parseWithSettings(const std::vector<std::string>& arguments, const std::
     try {
         return parseArguments(withSettings(arguments, settings, settings.size()));
     } catch (const UsageError& error) {
-        // The first setting without which all was well is named with its place.
-        std::size_t good = 0;
-        for (; good < settings.size(); ++good) {
+        // The first setting without which all was well is named with its place. By halves: a file may have thousands.
+        const auto isWell = [&](std::size_t count) {
             try {
-                parseArguments(withSettings(arguments, settings, good));
+                parseArguments(withSettings(arguments, settings, count));
+                return true;
             } catch (const UsageError&) {
-                break;
+                return false;
             }
-        }
-        if (good == 0) throw;
-        throw UsageError(fmt::format("{}: {}", settings[good - 1].place, error.what()));
+        };
+        if (settings.empty() || !isWell(0)) throw;
+        std::size_t good = 0, bad = settings.size();
+        while (bad - good > 1) (isWell((good + bad) / 2) ? good : bad) = (good + bad) / 2;
+        throw UsageError(fmt::format("{}: {}", settings[good].place, error.what()));
     }
 }
 

@@ -54,6 +54,15 @@ void drawShaderLog(const Session& session, Widgets& widgets, const Area& picture
     endBox();
 }
 
+void drawLoading(const Session& session, Widgets& widgets, const Area& picture) {
+    beginBox("loading", picture, {0.5f, 0.5f}, 520.0f * widgets.scale(), theme::accent);
+    const std::string text = session.loading.text();
+    ImGui::TextUnformatted(text.c_str());
+    widgets.dump().lastItem("loading", text);
+    ImGui::TextColored(theme::quiet, "Escape stops it.");
+    endBox();
+}
+
 void drawNotice(const Session& session, Widgets& widgets, const Area& picture) {
     // A margin above the picture's lower edge.
     Area inside = picture;
@@ -103,7 +112,7 @@ void drawPage(Session& session, Widgets& widgets, const Area& picture) {
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 24> keys{
+    static constexpr std::array<std::array<const char*, 2>, 25> keys{
         {{"space", "play or pause"},
          {"left, right", "previous, next frame"},
          {", and .", "previous, next instant of the shutter"},
@@ -127,6 +136,7 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
          {"Ctrl-C", "copy the command line of this picture"},
          {"Ctrl-S", "save settings"},
          {"Ctrl-O", "load settings"},
+         {"Escape", "stop loading a scene"},
          {"Ctrl-Q", "quit"}}};
     beginBox("keys", picture, {0.5f, 0.5f}, 600.0f * widgets.scale(), ImGui::GetStyle().Colors[ImGuiCol_Border]);
     if (ImGui::BeginTable("keys", 2)) {
@@ -152,6 +162,7 @@ void drawOverlays(Session& session, Widgets& widgets, const Area& picture) {
     drawProbe(session, widgets, picture);
     if (session.panels.pageVisible) drawPage(session, widgets, picture);
     if (session.panels.keysVisible) drawKeys(session, widgets, picture);
+    if (session.loading.on()) drawLoading(session, widgets, picture);
     if (session.notices.current()) drawNotice(session, widgets, picture);
 }
 

@@ -121,7 +121,6 @@ std::string reportOf(const RecordOptions& options, const std::vector<ScriptPart>
 }  // namespace
 
 int runRecord(const RecordOptions& options) {
-    const StopSignals signals;
     const std::vector<ScriptPart> parts = partsOf(options);
     if (!options.json.empty()) requireWritable(options.json);
     const HeadlessGl opengl(options);
@@ -129,6 +128,7 @@ int runRecord(const RecordOptions& options) {
     renderer.setChecked(options.debugGl);
     const PictureText text;
     std::vector<ReadyPart> ready = readyParts(parts, renderer, text);
+    const StopSignals signals;  // until here there is no file to close, and a signal ends the program at once
 
     // One rate for all: that of the first part, unless the command line has another.
     const double framesPerSecond =

@@ -64,6 +64,10 @@ bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
         if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL) != 0) return true;
         if (press.key == GLFW_KEY_SLASH && (press.mods & GLFW_MOD_SHIFT) != 0 && !ImGui::GetIO().WantTextInput)
             session.panels.keysVisible = !session.panels.keysVisible;
+        if (press.key == GLFW_KEY_ESCAPE && session.loading.on()) {
+            session.loading.cancel();
+            session.notify("Loading was stopped");
+        }
         if ((press.mods & GLFW_MOD_CONTROL) != 0) applyControlKey(session, press.key);
         const bool typing = ImGui::GetIO().WantTextInput;
         if (!typing && press.key == GLFW_KEY_P && (press.mods & GLFW_MOD_SHIFT) != 0) session.requests.exr = true;

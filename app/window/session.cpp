@@ -39,21 +39,46 @@ void Session::rebuildScene() {
 }
 
 void Session::openScene(const std::string& name) {
+    loading.cancel();
     try {
-        std::unique_ptr<Scene> opened = scene.open(name, options.settings);
-        // The next scene gets its own time, shutter and cameras; what is about the picture stays as it is.
-        options.camera.clear();
-        options.pose.reset();
-        options.clip.clear();
-        options.framesPerSecond.reset();
-        options.shutterLength.reset();
-        keepPicture();
-        camera.savedViews.clear();
-        show(std::move(opened), name);
-        panels.sceneError.clear();
+        if (std::unique_ptr<Scene> computed = scene.computed(name, options.settings)) {
+            showOther(std::move(computed), name);
+            return;
+        }
+    } catch (const std::exception& error) {
+        panels.sceneError = error.what();
+        return;
+    }
+    load(
+        name, [name](const LoadingWatch& watch) { return timeshade::openScene(name, "", {}, watch); },
+        [this, name](std::unique_ptr<Scene> opened) { showOther(std::move(opened), name); });
+}
+
+void Session::load(const std::string& name, SceneLoading::Load load, std::function<void(std::unique_ptr<Scene>)> then) {
+    loading.begin(name, std::move(load));
+    whenLoaded_ = std::move(then);
+    finishLoading();
+}
+
+void Session::finishLoading() {
+    try {
+        if (std::unique_ptr<Scene> opened = loading.take()) whenLoaded_(std::move(opened));
     } catch (const std::exception& error) {
         panels.sceneError = error.what();
     }
+}
+
+void Session::showOther(std::unique_ptr<Scene> opened, const std::string& name) {
+    // The next scene gets its own time, shutter and cameras; what is about the picture stays as it is.
+    options.camera.clear();
+    options.pose.reset();
+    options.clip.clear();
+    options.framesPerSecond.reset();
+    options.shutterLength.reset();
+    keepPicture();
+    camera.savedViews.clear();
+    show(std::move(opened), name);
+    panels.sceneError.clear();
 }
 
 void Session::keepPicture() {
@@ -73,25 +98,29 @@ void Session::keepPicture() {
 }
 
 void Session::openClip(const std::string& name) {
-    try {
-        std::unique_ptr<Scene> opened = timeshade::openScene(scene.name(), name);
-        options.camera.clear();
-        options.pose.reset();
-        options.clip = name;
-        options.framesPerSecond = moment.request.shutter.framesPerSecond;
-        options.shutterLength = moment.request.shutter.length;
-        keepPicture();
-        // The same scene, seen from where it was; only its time is another.
-        const std::optional<OrbitCamera> held = camera.orbit;
-        const std::size_t cameraIndex = moment.request.cameraIndex;
-        const std::string sceneName = scene.name();
-        show(std::move(opened), sceneName);
-        camera.orbit = held;
-        moment.request.cameraIndex = std::min(cameraIndex, scene.current().cameras().size() - 1);
-        panels.sceneError.clear();
-    } catch (const std::exception& error) {
-        panels.sceneError = error.what();
-    }
+    load(
+        scene.name(),
+        [sceneName = scene.name(), name](const LoadingWatch& watch) {
+            return timeshade::openScene(sceneName, name, {}, watch);
+        },
+        [this, name](std::unique_ptr<Scene> opened) { showClip(std::move(opened), name); });
+}
+
+void Session::showClip(std::unique_ptr<Scene> opened, const std::string& name) {
+    options.camera.clear();
+    options.pose.reset();
+    options.clip = name;
+    options.framesPerSecond = moment.request.shutter.framesPerSecond;
+    options.shutterLength = moment.request.shutter.length;
+    keepPicture();
+    // The same scene, seen from where it was; only its time is another.
+    const std::optional<OrbitCamera> held = camera.orbit;
+    const std::size_t cameraIndex = moment.request.cameraIndex;
+    const std::string sceneName = scene.name();
+    show(std::move(opened), sceneName);
+    camera.orbit = held;
+    moment.request.cameraIndex = std::min(cameraIndex, scene.current().cameras().size() - 1);
+    panels.sceneError.clear();
 }
 
 void Session::reloadShaders() {
@@ -113,6 +142,7 @@ void Session::become(const PictureOptions& wanted) {
     std::unique_ptr<Scene> opened = timeshade::openScene(wanted.scene, wanted.clip, wanted.settings);
     requestFor(wanted, *opened);  // throws for a camera that is not there
     std::unique_ptr<Technique> made = techniqueFor(wanted, renderer.programs());
+    loading.cancel();
     options = wanted;
     technique.replace(std::move(made));
     technique.forgetSettings();
@@ -165,6 +195,7 @@ void Session::addOtherSettings(SettingTexts& settings) {
 }
 
 void Session::applyRequests() {
+    finishLoading();
     if (requests.scene)
         openScene(*requests.scene);
     else if (requests.clip)

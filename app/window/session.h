@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -19,6 +20,7 @@
 #include "window/recent_files.h"
 #include "window/recording.h"
 #include "window/requests.h"
+#include "window/scene_loading.h"
 #include "window/screenshots.h"
 #include "window/shader_state.h"
 #include "window/shown_scene.h"
@@ -59,6 +61,7 @@ struct Session {
     // What is shown.
     FrameRenderer renderer;
     ShownScene scene;
+    SceneLoading loading;  ///< of the scene that comes next
     ShownTechnique technique;
     ShownView view;
     Moment moment;
@@ -91,12 +94,20 @@ struct Session {
     void show(std::unique_ptr<Scene> scene, const std::string& name);
     void openScene(const std::string& name);
     void openClip(const std::string& name);
+    /// Begins, or shows at once what takes no longer than a moment. `then` makes the window show it.
+    void load(const std::string& name, SceneLoading::Load load, std::function<void(std::unique_ptr<Scene>)> then);
+    /// Shows what has been loaded meanwhile.
+    void finishLoading();
+    void showOther(std::unique_ptr<Scene> opened, const std::string& name);
+    void showClip(std::unique_ptr<Scene> opened, const std::string& name);
     void rebuildScene();
     /// Samples, map and all else that the next scene is to be drawn with, too, into the options.
     void keepPicture();
     void applyComparison();
     /// Makes the comparison, if any, what the options say.
     void compareAsOptions();
+
+    std::function<void(std::unique_ptr<Scene>)> whenLoaded_;
 };
 
 }  // namespace timeshade

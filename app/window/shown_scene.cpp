@@ -19,9 +19,9 @@ void ShownScene::replace(std::unique_ptr<Scene> scene) {
     ++number_;
 }
 
-std::unique_ptr<Scene> ShownScene::open(const std::string& name, const SettingTexts& settings) {
-    SceneRecipe* computed = recipeOf(name, settings);
-    return computed != nullptr ? computed->make() : openScene(name, "");
+std::unique_ptr<Scene> ShownScene::computed(const std::string& name, const SettingTexts& settings) {
+    SceneRecipe* recipe = recipeOf(name, settings);
+    return recipe != nullptr ? recipe->make() : nullptr;
 }
 
 void ShownScene::show(std::unique_ptr<Scene> scene, const std::string& name, const SettingTexts& settings) {

@@ -14,9 +14,9 @@ namespace timeshade {
 /// The scene that the window shows. Its planner is always that of the scene, and its number changes with the scene.
 class ShownScene {
   public:
-    /// Opens a scene that is to be shown: a computed one with its settings as they were left in this window, or else as
-    /// `settings` say. Throws as openScene does and changes nothing that is shown.
-    std::unique_ptr<Scene> open(const std::string& name, const SettingTexts& settings);
+    /// A computed scene that is to be shown, with its settings as they were left in this window, or else as `settings`
+    /// say; null for a file. Changes nothing that is shown.
+    std::unique_ptr<Scene> computed(const std::string& name, const SettingTexts& settings);
     /// Shows it in place of the one before.
     void show(std::unique_ptr<Scene> scene, const std::string& name, const SettingTexts& settings);
     /// Computes the scene anew from the recipe's settings. Does nothing for a file.

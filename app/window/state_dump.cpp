@@ -14,6 +14,7 @@ void dumpScene(const Session& session, UiDump& dump) {
     const Scene& scene = session.scene.current();
     dump.state("scene", session.scene.name());
     dump.state("clip", scene.clips().empty() ? "" : scene.clips()[scene.clip()]);
+    dump.state("loading", session.loading.on() ? session.loading.text() : "");
     dump.state("technique", session.technique.name());
     dump.state("frame", session.moment.playback.frame());
     dump.state("playing", session.moment.playback.playing());

@@ -1,7 +1,7 @@
 #include "chart/chart_font.h"
 
 #include "core/error.h"
-#include "image/file_bytes.h"
+#include "core/file_bytes.h"
 
 #include <fmt/format.h>
 #include <stb_truetype.h>

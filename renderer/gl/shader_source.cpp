@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <timeshade/paths.h>
 
 #include "core/error.h"
+#include "core/file_bytes.h"
 
 namespace timeshade::gl {
 
 namespace {
+
+// Many times what any shader needs. Files include each other by recursion, so that a chain without end would end the
+// program by its stack.
+constexpr std::size_t mostFiles = 256;
+constexpr std::size_t mostBytes = std::size_t{4} << 20;
 
 class Expander {
   public:
@@ -20,10 +25,10 @@ class Expander {
 
     void file(const std::string& path, const std::string& includedBy) {
         if (std::find(out_.files.begin(), out_.files.end(), path) != out_.files.end()) return;
-        std::ifstream stream(shaderDirectory() / path);
-        if (!stream)
-            throw Error(fmt::format("{}: cannot be read{}; expected a shader file", (shaderDirectory() / path).string(),
-                                    includedBy.empty() ? "" : " (included by " + includedBy + ")"));
+        if (out_.files.size() >= mostFiles)
+            throw Error(fmt::format("{}: is included by {} as file {} of one shader; expected at most {}",
+                                    (shaderDirectory() / path).string(), includedBy, mostFiles + 1, mostFiles));
+        std::istringstream stream(textOf(path, includedBy));
         const std::size_t number = out_.files.size();
         out_.files.push_back(path);
         out_.text += fmt::format("#line 1 {}\n", number);
@@ -40,6 +45,19 @@ class Expander {
     }
 
   private:
+    /// Counts what is read.
+    std::string textOf(const std::string& path, const std::string& includedBy) {
+        try {
+            const std::vector<unsigned char> bytes = readFileBytes(shaderDirectory() / path, mostBytes - read_);
+            read_ += bytes.size();
+            return {bytes.begin(), bytes.end()};
+        } catch (const Error& error) {
+            throw Error(fmt::format("{}{}; expected a shader file, of at most {} bytes with all that it includes",
+                                    error.what(), includedBy.empty() ? "" : " (included by " + includedBy + ")",
+                                    mostBytes));
+        }
+    }
+
     static std::string includedPath(const std::string& line) {
         const std::string_view directive = "#include \"";
         if (line.compare(0, directive.size(), directive) != 0) return {};
@@ -48,6 +66,7 @@ class Expander {
     }
 
     ShaderSource& out_;
+    std::size_t read_ = 0;  ///< bytes
 };
 
 }  // namespace

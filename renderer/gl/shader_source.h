@@ -19,7 +19,7 @@ struct ShaderSource {
     std::vector<std::string> files;  ///< files[n] is the file that #line calls n
 };
 
-/// Throws Error that names the file which is missing, and who includes it.
+/// Throws Error that names the file which is missing, or too much (256 files, 4 MiB), and who includes it.
 ShaderSource readShader(std::string_view path, const ShaderDefines& defines);
 
 /// Where the shaders lie: the folder of the sources, or TIMESHADE_SHADERS where that is set.

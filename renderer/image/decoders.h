@@ -10,7 +10,7 @@ namespace timeshade {
 ForeignImage decodePng(std::span<const std::uint8_t> bytes, const ImageLimits& limits);
 ForeignImage decodeJpeg(std::span<const std::uint8_t> bytes, const ImageLimits& limits);
 
-/// Throws Error where a picture of that size is beyond the limits.
+/// Throws Error where a picture of that size is beyond the limits, and else counts it as spent.
 void requireWithin(const ImageLimits& limits, long width, long height);
 
 }  // namespace timeshade

@@ -1,6 +1,6 @@
 #include "core/check.h"
 #include "core/error.h"
-#include "image/file_bytes.h"
+#include "core/file_bytes.h"
 #include "image/image_file.h"
 
 #include <fmt/format.h>

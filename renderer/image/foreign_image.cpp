@@ -23,6 +23,7 @@ void requireWithin(const ImageLimits& limits, long width, long height) {
         throw Error(fmt::format("{}x{} pixels, the limit is {} a side", width, height, limits.side));
     if (4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > limits.bytes)
         throw Error("the limit on bytes of images is used up");
+    if (limits.spent != nullptr) *limits.spent = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
 ForeignImage decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {

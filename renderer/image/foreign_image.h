@@ -17,6 +17,7 @@ struct ForeignImage {
 struct ImageLimits {
     int side = 8192;                           ///< pixels
     std::size_t bytes = std::size_t{1} << 30;  ///< of decoded pixels, and of what the decoder keeps besides
+    std::size_t* spent = nullptr;              ///< where given, set to the bytes of pixels once their decoding begins
 };
 
 /// Decodes a PNG or a JPEG (libpng, libjpeg-turbo). Sixteen-bit channels keep their upper byte; gamma and colour

@@ -8,11 +8,11 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/error.h"
+#include "image/part_name.h"
 
 namespace timeshade {
 
@@ -20,29 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t randomDigits = 16;
-constexpr const char* ending = ".part";
-
 [[noreturn]] void failWriting(const fs::path& path, int code, std::string_view expected = {}) {
     throw Error(fmt::format("cannot write {}: {}{}{}", path.string(), std::generic_category().message(code),
                             expected.empty() ? "" : "; expected ", expected));
 }
-
-/// The beginning of the names of a file's parts: room is left for the rest where the name has the greatest length.
-std::string stemOf(const fs::path& target) { return target.filename().string().substr(0, 200) + "."; }
-
-std::string randomName() {
-    std::uint64_t number = 0;
-    if (::getrandom(&number, sizeof number, 0) != sizeof number) throw Error("the system has no random numbers");
-    return fmt::format("{:016x}", number);
-}
-
-bool isPartOf(const std::string& name, const std::string& stem) {
-    return name.size() == stem.size() + randomDigits + 5 && name.starts_with(stem) && name.ends_with(ending) &&
-           name.find_first_not_of("0123456789abcdef", stem.size()) == stem.size() + randomDigits;
-}
-
-fs::path folderOf(const fs::path& target) { return target.parent_path().empty() ? "." : target.parent_path(); }
 
 }  // namespace
 
@@ -95,9 +76,9 @@ PartFile::~PartFile() {
 }
 
 void PartFile::create() {
-    const fs::path folder = folderOf(target_);
+    const fs::path folder = folderOfParts(target_);
     for (;;) {
-        part_ = folder / (stemOf(target_) + randomName() + ending);
+        part_ = newPartName(target_);
         descriptor_ = ::open(part_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (descriptor_ < 0 && errno == EEXIST) continue;
         if (descriptor_ < 0) {
@@ -114,11 +95,11 @@ void PartFile::create() {
 }
 
 void PartFile::removeLeftovers() const {
-    DIR* const folder = ::opendir(folderOf(target_).c_str());
+    DIR* const folder = ::opendir(folderOfParts(target_).c_str());
     if (folder == nullptr) return;  // create() says why
-    const std::string stem = stemOf(target_);
+    const std::string stem = stemOfParts(target_);
     while (const dirent* entry = ::readdir(folder)) {
-        if (!isPartOf(entry->d_name, stem)) continue;
+        if (!isPartName(entry->d_name, stem)) continue;
         const int part = ::openat(::dirfd(folder), entry->d_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         if (part < 0) continue;
         struct stat status {};

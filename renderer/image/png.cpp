@@ -1,7 +1,7 @@
 #include "core/check.h"
 #include "core/error.h"
+#include "core/file_bytes.h"
 #include "image/decoders.h"
-#include "image/file_bytes.h"
 #include "image/image_file.h"
 
 #include <fmt/format.h>

@@ -16,21 +16,6 @@ constexpr int attempts = 3;
 
 }  // namespace
 
-std::string nameOf(FrameState state) {
-    switch (state) {
-    case FrameState::Cold: return "cold";
-    case FrameState::Filling: return "filling";
-    case FrameState::Steady: break;
-    }
-    return "steady";
-}
-
-std::optional<FrameState> frameStateNamed(const std::string& name) {
-    for (const FrameState state : {FrameState::Cold, FrameState::Filling, FrameState::Steady})
-        if (nameOf(state) == name) return state;
-    return std::nullopt;
-}
-
 std::map<std::string, double> stepsOf(const std::vector<gl::PassTimer::Reading>& readings) {
     std::map<std::string, double> steps;
     for (const gl::PassTimer::Reading& reading : readings) steps[reading.name] = reading.milliseconds;

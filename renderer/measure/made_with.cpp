@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/file_bytes.h"
 #include "gl/shader_source.h"
-#include "image/file_bytes.h"
 #include "measure/reference_digest.h"
 
 namespace timeshade {

@@ -1,7 +1,7 @@
 #include "measure/reference_cache.h"
 
+#include "core/file_bytes.h"
 #include "core/sha256.h"
-#include "image/file_bytes.h"
 #include "measure/user_folder.h"
 
 #include <fmt/format.h>

@@ -5,15 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "measure/made_with.h"
-#include "measure/sweep.h"
+#include "measure/sweep_row_json.h"
 
 namespace timeshade {
 
 /// Finished rows on disk, one JSON object a line, appended and flushed as they are made: a sweep that is interrupted
 /// goes on where it was. Every row says what it was made with, and is found again for just that; rows of other models,
 /// sizes, shaders lie beside it untouched. A last line that is cut off is dropped. Throws Error where the file is there
-/// and is no journal.
+/// and is no journal, or has more than 256 MiB.
 class SweepJournal {
   public:
     explicit SweepJournal(const std::filesystem::path& path);
@@ -23,17 +22,8 @@ class SweepJournal {
     void append(const SweepRow& row, const MadeWith& madeWith);
 
   private:
-    struct Entry {
-        SweepRow row;
-        MadeWith madeWith;
-    };
     std::filesystem::path path_;
-    std::deque<Entry> entries_;  ///< a pointer to a row stays good while others are added
+    std::deque<JournalEntry> entries_;  ///< a pointer to a row stays good while others are added
 };
-
-/// A row as JSON, every figure with all its digits, and back. A row without a state comes from a version that drew a
-/// point twice and timed the second time: its state is Filling.
-std::string rowAsJson(const SweepRow& row);
-SweepRow rowFromJson(const std::string& text);
 
 }  // namespace timeshade

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "measure/json_numbers.h"
+
 namespace timeshade {
 
 namespace {
@@ -44,6 +46,8 @@ nlohmann::ordered_json asJson(const ErrorSummary& e) {
             {"mean_square_standard_error", e.meanSquareDeviation}};
 }
 
+std::uint64_t count(const nlohmann::ordered_json& json) { return wholeFromJson<std::uint64_t>(json); }
+
 ErrorSummary errorOf(const nlohmann::ordered_json& json, std::uint64_t count) {
     const auto number = [&](const char* key) {  // what is not a number has been written as null
         return json.at(key).is_null() ? std::numeric_limits<double>::quiet_NaN() : json.at(key).get<double>();
@@ -75,11 +79,12 @@ void appendErrors(const Verification& v, nlohmann::ordered_json& json) {
 void readErrors(const nlohmann::ordered_json& json, Verification& v) {
     if (json.contains("footprint")) v.footprint = footprintOf(json.at("footprint"));
     if (json.contains("footprint_error"))
-        v.footprintError = {errorOf(json.at("footprint_error"), json.at("footprint_samples")),
-                            json.at("footprint_rays")};
+        v.footprintError = {errorOf(json.at("footprint_error"), count(json.at("footprint_samples"))),
+                            wholeFromJson<std::uint32_t>(json.at("footprint_rays"))};
     if (json.contains("shadow_error"))
-        v.shadowError = {errorOf(json.at("shadow_error"), json.at("pixels")), json.at("pixels_without_samples"),
-                         json.at("pixels_without_reference"), json.at("reference_rays")};
+        v.shadowError = {errorOf(json.at("shadow_error"), count(json.at("pixels"))),
+                         count(json.at("pixels_without_samples")), count(json.at("pixels_without_reference")),
+                         wholeFromJson<int>(json.at("reference_rays"))};
 }
 
 }  // namespace
@@ -108,19 +113,19 @@ nlohmann::ordered_json asJson(const Verification& v) {
 
 Verification verificationOf(const nlohmann::ordered_json& json) {
     Verification v;
-    v.samples = json.at("samples");
-    v.tested = json.at("tested");
-    v.shadowed = json.at("shadowed");
-    v.falseShadow = json.at("false_shadow");
-    v.falseLit = json.at("false_lit");
-    v.marginal = json.at("marginal");
+    v.samples = count(json.at("samples"));
+    v.tested = count(json.at("tested"));
+    v.shadowed = count(json.at("shadowed"));
+    v.falseShadow = count(json.at("false_shadow"));
+    v.falseLit = count(json.at("false_lit"));
+    v.marginal = count(json.at("marginal"));
     v.meanAbsoluteError = json.at("mean_absolute_error");
-    v.primaryTested = json.at("primary_tested");
-    v.primaryDisagree = json.at("primary_disagree");
-    v.primaryMarginal = json.at("primary_marginal");
+    v.primaryTested = count(json.at("primary_tested"));
+    v.primaryDisagree = count(json.at("primary_disagree"));
+    v.primaryMarginal = count(json.at("primary_marginal"));
     // Journals of earlier versions have other names for these, and no errors.
-    v.resolvedExactly = json.contains("ruled") ? json.at("ruled") : json.at("resolved_exactly");
-    v.corrected = json.contains("overruled") ? json.at("overruled") : json.at("corrected");
+    v.resolvedExactly = count(json.at(json.contains("ruled") ? "ruled" : "resolved_exactly"));
+    v.corrected = count(json.at(json.contains("overruled") ? "overruled" : "corrected"));
     v.intervals = json.value("intervals", false);
     readErrors(json, v);
     return v;

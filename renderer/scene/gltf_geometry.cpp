@@ -188,7 +188,8 @@ void spendOnPrimitive(const Model& model, const Primitive& primitive, Budget& bu
 
 }  // namespace
 
-std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes) {
+std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes,
+                                                  const LoadingWatch& watch) {
     std::vector<std::size_t> uses(model.meshes.size(), 0);
     std::vector<std::size_t> jointCounts(model.meshes.size(), 0);  // the fewest of the skins that deform a mesh
     for (const Node& node : model.nodes) {
@@ -208,6 +209,7 @@ std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget bud
     std::vector<std::vector<Geometry>> geometries(model.meshes.size());
     std::size_t skipped = 0;
     for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+        watch({"meshes", m, model.meshes.size()});
         for (std::size_t p = 0; uses[m] > 0 && p < model.meshes[m].primitives.size(); ++p) {
             const Primitive& primitive = model.meshes[m].primitives[p];
             if (!drawable(primitive))

@@ -5,6 +5,7 @@
 
 #include "scene/geometry.h"
 #include "scene/gltf_model.h"
+#include "scene/loading.h"
 
 namespace timeshade::gltf {
 
@@ -18,6 +19,7 @@ struct Budget {
 
 /// Reads the primitives of every mesh that the shown scene uses; other meshes stay empty. Throws Error for broken data,
 /// and, before anything large is allocated, if the budget is exceeded.
-std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes);
+std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes,
+                                                  const LoadingWatch& watch);
 
 }  // namespace timeshade::gltf

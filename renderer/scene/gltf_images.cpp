@@ -24,10 +24,17 @@ constexpr std::size_t copiesOfAnImage = 3;                  // here, and as a te
 /// Whatever is tried counts, so that many images that fail at their end cannot cost more than those that are good.
 Image decode(std::span<const std::uint8_t> bytes, std::size_t& budget, MemoryBudget& memory) {
     ImageLimits limits;
+    std::size_t spent = 0;
     limits.bytes = std::min<std::size_t>(budget, memory.left() / copiesOfAnImage);
-    budget -= std::min(budget, bytes.size());
-    ForeignImage decoded = decodeImage(bytes, limits);
-    budget -= std::min(budget, decoded.rgba.size());
+    limits.spent = &spent;
+    ForeignImage decoded;
+    try {
+        decoded = decodeImage(bytes, limits);
+    } catch (const Error&) {
+        budget -= std::min(budget, bytes.size() + spent);
+        throw;
+    }
+    budget -= std::min(budget, bytes.size() + spent);
     memory.take(copiesOfAnImage, decoded.rgba.size(), "its images");
     Image image;
     image.width = decoded.width;
@@ -94,13 +101,14 @@ glm::vec3 meanColour(const Image& image) {
 
 }  // namespace
 
-Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes) {
+Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes, const LoadingWatch& watch) {
     ImageShelf shelf(model, files, notes);
     Looks looks;
     std::size_t otherCoordinates = 0;
     std::size_t transparent = 0;
     std::size_t shining = 0;
     for (const MaterialSource& source : model.materials) {
+        watch({"materials", looks.materials.size(), model.materials.size()});
         looks.materials.push_back(source.material);
         looks.materials.back().baseColorImage = shelf.indexOf(source.baseColorTexture);
         looks.materials.back().metallicRoughnessImage = shelf.indexOf(source.metallicRoughnessTexture);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/gltf_model.h"
+#include "scene/loading.h"
 #include "scene/material.h"
 
 namespace timeshade::gltf {
@@ -14,6 +15,6 @@ struct Looks {
 };
 
 /// Materials with decoded images. If an image cannot be read, its texture is left out with a note.
-Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes);
+Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes, const LoadingWatch& watch);
 
 }  // namespace timeshade::gltf

@@ -54,7 +54,7 @@ struct ClipNames {
 class GltfScene final : public Scene {
   public:
     GltfScene(std::string name, const Model& model, ClipNames clips, NodeMotion motion, Stage stage, Looks looks,
-              std::vector<std::string> notes)
+              std::vector<std::string> notes, const LoadingWatch& watch)
         : name_(std::move(name)),
           clips_(std::move(clips)),
           motion_(std::move(motion)),
@@ -67,7 +67,7 @@ class GltfScene final : public Scene {
         deformInstances(stage_, motion_.rest(), false, positions_, normals_);
         moves_ =
             std::any_of(stage_.instances.begin(), stage_.instances.end(), [](const Instance& i) { return i.moves; });
-        measure();
+        measure(watch);
         views_ = readViews(model, bounds_, notes_);
         const auto moving = [&](int node) { return node >= 0 && motion_.moves(node); };
         const bool viewsMove =
@@ -136,7 +136,7 @@ class GltfScene final : public Scene {
     CameraPose placedCamera(const PlacedCamera& camera, const glm::dmat4& worldFromNode) const;
     LightPose placedLight(const glm::dmat4& worldFromNode) const;
     bool viewsLoop(const Pose& start, const Pose& end) const;
-    void measure();
+    void measure(const LoadingWatch& watch);
     bool endMeetsStart() const;
     std::shared_ptr<const MeshTopology> topologyIn(const Pose& pose) const;
 
@@ -180,15 +180,17 @@ LightPose GltfScene::placedLight(const glm::dmat4& worldFromNode) const {
 }
 
 /// Bounds of all triangles during the clip.
-void GltfScene::measure() {
-    constexpr int samples = 16;
+void GltfScene::measure(const LoadingWatch& watch) {
+    constexpr std::size_t samples = 16;
     constexpr double farthest = 1e18;  // squares of such distances are finite in float
     const double duration = motion_.clip().duration;
     std::vector<glm::dvec3> positions = positions_;
     std::vector<glm::vec3> normals = normals_;
-    for (int sample = 0; sample <= (moves_ ? samples : 0); ++sample) {
+    for (std::size_t sample = 0; sample <= (moves_ ? samples : 0); ++sample) {
+        watch({"bounds", sample, moves_ ? samples + 1 : 1});
         if (moves_)
-            deformInstances(stage_, motion_.at(ClipInstant::of(duration * sample / samples)), true, positions, normals);
+            deformInstances(stage_, motion_.at(ClipInstant::of(duration * static_cast<double>(sample) / samples)), true,
+                            positions, normals);
         for (std::size_t v = 0; v < positions.size(); ++v) {
             const glm::dvec3& p = positions[v];
             if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= farthest))
@@ -279,11 +281,15 @@ std::vector<std::string> unlikeNames(const std::vector<Clip>& clips) {
     return names;
 }
 
-Clip chooseClip(const Model& model, const std::string& wanted, ClipNames& names, std::vector<std::string>& notes) {
+Clip chooseClip(const Model& model, const std::string& wanted, ClipNames& names, std::vector<std::string>& notes,
+                const LoadingWatch& watch) {
     std::vector<Clip> clips;
     KeyCache cache;
     std::vector<std::vector<std::string>> clipNotes(model.animations.size());
-    for (std::size_t i = 0; i < model.animations.size(); ++i) clips.push_back(readClip(model, i, cache, clipNotes[i]));
+    for (std::size_t i = 0; i < model.animations.size(); ++i) {
+        watch({"clips", i, model.animations.size()});
+        clips.push_back(readClip(model, i, cache, clipNotes[i]));
+    }
     names.all = unlikeNames(clips);
     if (!wanted.empty()) {
         names.chosen =
@@ -299,22 +305,27 @@ Clip chooseClip(const Model& model, const std::string& wanted, ClipNames& names,
 }
 
 std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions& options) {
+    const LoadingWatch watch = options.watch ? options.watch : [](const LoadingStep&) {};
     const auto memory = std::make_shared<MemoryBudget>(options.memoryLimit);
+    watch({"the file"});
     const Document document = readDocument(path, options.maxBufferBytes, memory);
     FilesBeside files(path.parent_path(), options.maxBufferBytes, memory);
+    watch({"its structure"});
     Model model = readModel(document);
+    watch({"buffers"});
     loadBuffers(model, document, files);
     validate(model);
 
     std::vector<std::string> notes = std::move(model.notes);
-    auto geometries = readGeometries(model, Budget{options.maxTriangles}, notes);
+    auto geometries = readGeometries(model, Budget{options.maxTriangles}, notes, watch);
     ClipNames clips;
-    NodeMotion motion(model, chooseClip(model, options.clip, clips, notes), notes);
-    Looks looks = readLooks(model, files, notes);
+    NodeMotion motion(model, chooseClip(model, options.clip, clips, notes, watch), notes);
+    Looks looks = readLooks(model, files, notes, watch);
+    watch({"instances"});
     Stage stage =
         buildStage(model, motion, std::move(geometries), static_cast<std::uint32_t>(looks.materials.size() - 1), notes);
     auto scene = std::make_unique<GltfScene>(path.stem().string(), model, std::move(clips), std::move(motion),
-                                             std::move(stage), std::move(looks), std::move(notes));
+                                             std::move(stage), std::move(looks), std::move(notes), watch);
     std::vector<std::string> defaultNotes;
     const SceneDefaults defaults = readDefaults(document.json, model.scene, scene->duration(), defaultNotes);
     scene->setDefaults(defaults, std::move(defaultNotes));
@@ -329,6 +340,8 @@ std::unique_ptr<Scene> loadGltf(const std::filesystem::path& path, const GltfOpt
     std::string problem;
     try {
         return load(path, options);
+    } catch (const LoadingCancelled&) {
+        throw;
     } catch (const std::bad_alloc&) {
         problem = "needs more memory than there is";
     } catch (const std::exception& error) {

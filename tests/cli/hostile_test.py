@@ -22,9 +22,11 @@ class SettingsFiles(ProgramTest):
             with self.subTest(key=key):
                 (self.folder / "s.json").write_text(f'{{\n "spp": 2,\n "{key}": "somewhere"}}')
                 self.refuse(1, (f"s.json:3: \"{key}\"", "expected"), *SHOT, "--settings", "s.json", leaves=("s.json",))
-                (self.folder / "s.json").write_text(f'{{"parts": [{{"scene": "chess", "{key}": "somewhere"}}]}}')
-                self.refuse(1, ("part 1", key, "expected"), "record", "--script", "s.json", "-o", "V.mp4",
-                            leaves=("s.json",))
+                for script in (f'{{"parts": [{{"scene": "chess"}},\n {{"scene": "cubes",\n "{key}": "x"}}]}}',
+                               f'{{"options": {{"spp": 1,\n\n "{key}": "x"}}, "parts": [{{"scene": "cubes"}}]}}'):
+                    (self.folder / "s.json").write_text(script)
+                    self.refuse(1, (f"s.json:3: \"{key}\"", "expected"), "record", "--script", "s.json", "-o",
+                                "V.mp4", leaves=("s.json",))
 
     def test_depth_and_size_have_limits(self):
         deep = "[" * 100000 + "]" * 100000
@@ -32,7 +34,35 @@ class SettingsFiles(ProgramTest):
         self.refuse(1, ("s.json", "nested"), *SHOT, "--settings", "s.json", leaves=("s.json",))
         (self.folder / "s.json").write_text(f'{{"parts": {deep}}}')
         self.refuse(1, ("s.json", "expected"), "record", "--script", "s.json", "-o", "V.mp4", leaves=("s.json",))
-        self.refuse(1, ("/dev/zero", "more than"), *SHOT, "--settings", "/dev/zero", leaves=("s.json",))
+
+    def test_only_files_of_some_size_are_read(self):
+        os.mkfifo(self.folder / "pipe")
+        with open(self.folder / "large", "wb") as file:
+            file.truncate((4 << 20) + 1)
+        for path, why in (("/dev/zero", "not a regular file"), ("pipe", "not a regular file"),
+                          ("large", "more than 4194304 bytes"), (".", "Is a directory")):
+            with self.subTest(path=path):
+                self.refuse(1, ("--settings", path, why, "expected"), *SHOT, "--settings", path, timeout=60,
+                            leaves=("large", "pipe"))
+                self.refuse(1, ("--script", path, why, "expected"), "record", "--script", path, "-o", "V.mp4",
+                            timeout=60, leaves=("large", "pipe"))
+        config = self.folder / "config" / "timeshade"
+        config.mkdir(parents=True)
+        os.mkfifo(config / "window.json")
+        self.refuse(1, ("DISPLAY",), "view", "chess", env=environment(XDG_CONFIG_HOME=self.folder / "config"),
+                    timeout=60, leaves=self.files())
+
+    def test_what_takes_long_to_place_is_read_at_once(self):
+        """Long keys around many, and as many settings that are wrong."""
+        many = ",".join(f'"k{i}": 0' for i in range(100000))
+        (self.folder / "s.json").write_text(f'{{"{"x" * (1 << 20)}": {{{many}}}}}')
+        self.refuse(1, ("s.json:1", "expected"), *SHOT, "--settings", "s.json", timeout=60, leaves=("s.json",))
+        (self.folder / "s.json").write_text(f'{{"scene": "chess", "{"x" * (1 << 20)}": [{"[]," * 500000}[]]}}')
+        self.refuse(1, ("s.json:1", "expected"), *SHOT, "--settings", "s.json", timeout=60, leaves=("s.json",))
+        parts = ",".join(["{}"] * 100000)
+        (self.folder / "s.json").write_text(f'{{"parts": [{parts}]}}')
+        self.refuse(1, ("s.json", "100000 parts", "at most"), "record", "--script", "s.json", "-o", "V.mp4",
+                    timeout=60, leaves=("s.json",))
 
 
 class Targets(ProgramTest):

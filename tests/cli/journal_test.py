@@ -8,7 +8,7 @@ import shutil
 import sys
 import unittest
 
-from program import ProgramTest, environment
+from program import PROGRAM, ProgramTest, environment
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "verify"))
@@ -33,10 +33,10 @@ class Journal(ProgramTest):
         document["buffers"][0]["uri"] = "model.bin"
         self.model.write_text(json.dumps(document))
 
-    def measure(self, *arguments, size="24x16", env=None):
+    def measure(self, *arguments, size="24x16", **options):
         """Rows that were measured by this run, and what it said."""
         before = self.rows()
-        done = self.run_program("measure", "model.gltf", "-o", "M", "--size", size, *self.SHORT, *arguments, env=env)
+        done = self.run_program("measure", "model.gltf", "-o", "M", "--size", size, *self.SHORT, *arguments, **options)
         self.assertEqual(done.returncode, 0, done.stderr)
         after = self.rows()
         self.assertEqual(after[:len(before)], before, "rows of other runs stay as they are")
@@ -84,6 +84,42 @@ class Journal(ProgramTest):
         document["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"] = 90
         self.model.write_text(json.dumps(document))
         self.expect_measured_again("model")
+
+    def test_plans_clips_textures_and_programs_are_part_of_it(self):
+        document = json.loads(self.model.read_text())
+        shutil.copy(ROOT / "tests" / "fuzz" / "corpus" / "image" / "small.png", self.folder / "colour.png")
+        document["images"] = [{"uri": "colour.png"}]
+        document["textures"] = [{"source": 0}]
+        document["materials"] = [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]
+        for mesh in document["meshes"]:
+            mesh["primitives"][0]["material"] = 0
+        document["animations"].append({**document["animations"][0], "name": "again"})
+        self.model.write_text(json.dumps(document))
+        self.assertEqual(self.measure(), (3, ""))
+        self.assertEqual(self.measure(), (0, ""))
+        self.expect_measured_again("clip", "--clip", "again")
+        self.expect_measured_again("frame", "--force-dynamic")
+        shutil.copy(ROOT / "tests" / "fuzz" / "corpus" / "image" / "palette.png", self.folder / "colour.png")
+        self.expect_measured_again("model")
+        # Another commit, or the same with other changes: another binary.
+        other = self.folder / "timeshade"
+        other.write_bytes(pathlib.Path(PROGRAM).read_bytes() + b"\0")
+        other.chmod(0o755)
+        self.expect_measured_again("program", executable=other)
+
+    def test_what_is_no_journal_is_refused(self):
+        (self.folder / "M").mkdir()
+        rows = self.folder / "M" / "rows.jsonl"
+        for text, why in (("no JSON\n", "no journal"), ("[" * 5000 + "\n", "no journal"),
+                          ('{"spp": 1e300}\n', "no journal"), ("[" + "1," * (1 << 20) + "1]\n", "a line of")):
+            with self.subTest(text=text[:20]):
+                rows.write_text(text)
+                self.refuse(1, ("M/rows.jsonl", why, "expected"), "measure", "model.gltf", "-o", "M", *self.SHORT,
+                            leaves=("M", "M/rows.jsonl", "model.bin", "model.gltf"))
+                self.assertEqual(rows.read_text(), text)
+        os.truncate(rows, (256 << 20) + 1)
+        self.refuse(1, ("M/rows.jsonl", "more than"), "measure", "model.gltf", "-o", "M", *self.SHORT,
+                    leaves=("M", "M/rows.jsonl", "model.bin", "model.gltf"))
 
     def test_a_report_holds_rows_of_its_own_run_alone(self):
         self.measure()

@@ -9,6 +9,7 @@ import random
 import shutil
 import signal
 import subprocess
+import tempfile
 import time
 import unittest
 
@@ -26,14 +27,22 @@ COMMANDS = {
 
 
 class Killed(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        # What the driver keeps of compiled shaders is its own, and is no part of what a run leaves.
+        shaders = os.environ.get("MESA_SHADER_CACHE_DIR") or tempfile.mkdtemp(prefix="timeshade-shaders-")
+        if shaders != os.environ.get("MESA_SHADER_CACHE_DIR"):
+            self.addCleanup(shutil.rmtree, shaders, ignore_errors=True)
+        self.environment = environment(XDG_CACHE_HOME=self.folder / "cache", MESA_SHADER_CACHE_DIR=shaders)
+
     def whole(self, command):
-        self.succeed(*command, env=environment(XDG_CACHE_HOME=self.folder / "cache"))
+        self.succeed(*command, env=self.environment)
 
     def killed_after(self, command, seconds):
         """Whether it was still at work."""
         with subprocess.Popen([PROGRAM, *command], cwd=self.folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
-                              env=environment(XDG_CACHE_HOME=self.folder / "cache")) as process:
+                              env=self.environment) as process:
             time.sleep(seconds)
             os.killpg(process.pid, signal.SIGKILL)  # the encoder too, as when a machine goes down
             process.wait()

@@ -238,10 +238,10 @@ class WhatGoesWrong(RecordTest):
         for mentions, arguments in cases:
             self.refuse(2, mentions, *arguments)
         self.refuse(1, ("missing/F.mp4", "No such file"), "record", "chess", "-o", "missing/F.mp4", *SMALL)
-        self.refuse(1, ("missing.json", "cannot be read"), "record", "--script", "missing.json", "-o", "F.mp4")
+        self.refuse(1, ("missing.json", "cannot read"), "record", "--script", "missing.json", "-o", "F.mp4")
         for part, code, mentions in (({}, 1, ("part 2", "scene")), ({"scene": "chess", "spp": 0}, 2, ("part 2", "'0'")),
                                      ({"scene": "chess", "seam": 2}, 1,
-                                      ("part 2", "seam")), ({"scene": "chess", "wrong": 2}, 1, ("part 2", "wrong"))):
+                                      ("part 2", "seam")), ({"scene": "chess", "wrong": 2}, 1, ("s.json:1", "wrong"))):
             (self.folder / "s.json").write_text(json.dumps({"parts": [{"scene": "chess"}, part]}))
             self.refuse(code, ("s.json", *mentions), "record", "--script", "s.json", "-o", "F.mp4", leaves=("s.json",))
 

@@ -144,6 +144,7 @@ class SettingsFiles(ProgramTest):
 
     def test_files_that_are_not_json(self):
         for text in ("spp = 8", '{"spp": 8', '{"spp": 8} trailing', "{'spp': 8}", b"\xff\xfe\x00", b"\0\0\0\0",
+                     b'{}\0{"\xc4":',
                      "[" * 5000):
             with self.subTest(text=text[:20]):
                 self.refuse_file(1, text, ("s.json", "expected"))
@@ -269,10 +270,35 @@ class Machines(ProgramTest):
     def test_shaders_that_are_not_there(self):
         self.refuse(1, ("/nonexistent",), *SHOT, env=environment(TIMESHADE_SHADERS="/nonexistent"))
 
-    def test_a_shader_with_an_error(self):
+    def copied_shaders(self):
         sources = pathlib.Path(__file__).resolve().parents[2] / "shaders"
         subprocess.run(["cp", "-r", sources, self.folder / "shaders"], check=True)
         os.chmod(self.folder / "shaders", 0o755)
+
+    def test_includes_without_end(self):
+        self.copied_shaders()
+        chain = self.folder / "shaders" / "chain"
+        chain.mkdir()
+        count = 300  # a chain of 60,000 would be refused no differently
+        for i in range(count):
+            (chain / f"{i}.glsl").write_text(f'#include "chain/{i + 1}.glsl"\n')
+        (chain / f"{count}.glsl").write_text("")
+        (chain / "zero.glsl").symlink_to("/dev/zero")
+        os.mkfifo(chain / "pipe.glsl")
+        with open(chain / "large.glsl", "wb") as file:
+            file.truncate((4 << 20) + 1)
+        present = self.files()
+        shade = self.folder / "shaders" / "passes" / "shade.frag"
+        text = shade.read_text()
+        for name, why in (("0", "at most 256"), ("zero", "not a regular file"), ("pipe", "not a regular file"),
+                          ("large", "more than")):
+            with self.subTest(name=name):
+                shade.write_text(f'#include "chain/{name}.glsl"\n{text}')
+                self.refuse(1, ("chain/", why, "expected"), *SHOT, timeout=120,
+                            env=environment(TIMESHADE_SHADERS=self.folder / "shaders"), leaves=present)
+
+    def test_a_shader_with_an_error(self):
+        self.copied_shaders()
         shade = self.folder / "shaders" / "passes" / "shade.frag"
         shade.write_text(shade.read_text() + "\nvoid broken() { undeclared = 1.0; }\n")
         present = self.files()

@@ -59,6 +59,8 @@ ABOUT = {
     # settings and names of these techniques as examples: on the command line, in reports, in the window
     "tests/cli/equal_test.py": ("accumulation", "exact", "static", "tsm"),
     "tests/cli/journal_test.py": ("static",),
+    "tests/cli/shared_folder_test.py": ("static",),
+    "tests/unit/script_text_test.cpp": ("tsm",),
     "tests/cli/kill_test.py": ("static", "tsm"),
     "tests/cli/outputs_test.py": ("accumulation",),
     "tests/cli/pictures_test.py": ("accumulation", "history", "static", "tsm"),

@@ -151,6 +151,17 @@ TEST(ForeignImage, SurvivesDamage) {
         }
 }
 
+TEST(ForeignImage, SaysWhatDecodingHasSpentAlsoWhereItFails) {
+    for (std::vector<std::uint8_t> bytes : {pngOf(PNG_FORMAT_RGB, 3), jpegOf(3, JCS_RGB, false)}) {
+        bytes.resize(bytes.size() - 30);  // its header is whole
+        std::size_t spent = 0;
+        ImageLimits limits;
+        limits.spent = &spent;
+        EXPECT_NE(errorOf(bytes, limits), "");
+        EXPECT_EQ(spent, std::size_t{4} * width * height);
+    }
+}
+
 TEST(ForeignImage, KeepsToItsLimits) {
     EXPECT_NE(errorOf(pngOf(PNG_FORMAT_RGB, 3), {36, 1 << 20}).find("37x21 pixels, the limit is 36"),
               std::string::npos);

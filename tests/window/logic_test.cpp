@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
 
 #include <gtest/gtest.h>
 #include <timeshade/paths.h>
@@ -10,6 +11,7 @@
 #include "core/error.h"
 #include "image/image_file.h"
 #include "panels/widgets.h"
+#include "scene_catalogue.h"
 #include "techniques/registry.h"
 #include "window/frame_times.h"
 #include "window/layout.h"
@@ -18,10 +20,36 @@
 #include "window/playback.h"
 #include "window/preview_quality.h"
 #include "window/probe_bars.h"
+#include "window/scene_loading.h"
 #include "window/window_memory.h"
 
 namespace timeshade {
 namespace {
+
+TEST(SceneLoading, WhatIsGivenUpIsNotWaitedFor) {
+    std::promise<void> gate;
+    SceneLoading loading;
+    loading.begin("folder/slow.glb", [open = gate.get_future().share()](const LoadingWatch& watch) {
+        watch({"meshes", 1, 3});
+        open.wait();
+        watch({"images"});
+        ADD_FAILURE() << "the next step of what was given up";
+        return std::unique_ptr<Scene>();
+    });
+    ASSERT_TRUE(loading.on());
+    EXPECT_EQ(loading.take(), nullptr);
+    EXPECT_EQ(loading.text().substr(0, 34), "loading slow.glb: meshes 2 of 3, 1");
+    loading.cancel();
+    EXPECT_FALSE(loading.on());
+    loading.begin("pillars", [](const LoadingWatch& watch) { return openScene("pillars", "", {}, watch); });
+    std::unique_ptr<Scene> scene;
+    while (!scene) scene = loading.take();
+    EXPECT_EQ(scene->name(), "pillars");
+    EXPECT_FALSE(loading.on());
+    loading.begin("none", [](const LoadingWatch&) -> std::unique_ptr<Scene> { throw Error("no such scene"); });
+    EXPECT_THROW(loading.take(), Error);
+    gate.set_value();
+}
 
 TEST(Playback, StaysWithinTheLoop) {
     Playback playback;

@@ -4,9 +4,13 @@ import json
 import pathlib
 import shutil
 import struct
+import sys
 import tempfile
 
 from desk import PANEL_WIDTH, QUICK, WindowTest, headless, pixels, run_tests, shown
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
+from slow_model import slow_model  # noqa: E402  pylint: disable=wrong-import-position
 
 
 class Layout(WindowTest):
@@ -271,6 +275,26 @@ class Settings(WindowTest):
         dump = window.wait(lambda d: "scene.error" in d["widgets"], "the reason")
         self.assertIn("broken.glb", shown(dump, "scene.error"))
         self.assertEqual(window.settle()["state"]["scene"], "chess")
+        self.close(window)
+
+    def test_a_scene_that_takes_long_to_load(self):
+        window = self.open("chess", "--technique", "static", *QUICK)
+        window.settle()
+        (window.folder / "slow.gltf").write_text(slow_model())
+        window.click("scene.path")
+        window.type("./slow.gltf")
+        window.key("Return")
+        window.wait(lambda d: "loading slow.gltf" in shown(d, "loading"), "that it is loading")
+        begun = window.state()["begun"]
+        window.key("Right")  # the scene before is shown, and moves
+        window.wait(lambda d: d["state"]["begun"] > begun, "another frame of it")
+        window.key("Escape")
+        state = window.wait(lambda d: not d["state"]["loading"], "the end of loading", 2)["state"]
+        self.assertEqual(state["scene"], "chess")
+        window.settle(scene="chess")
+        window.click("scene.open")
+        window.wait(lambda d: d["state"]["loading"], "that it is loading again")
+        window.settle(scene="./slow.gltf", loading="")
         self.close(window)
 
 

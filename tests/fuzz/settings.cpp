@@ -1,0 +1,12 @@
+// Settings files.
+#include <cstdint>
+#include <string>
+
+#include "read_or_refused.h"
+#include "settings_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    timeshade::fuzz::readOrRefused(
+        [&] { timeshade::settingsOfJson(std::string(reinterpret_cast<const char*>(data), size), "file"); });
+    return 0;
+}
