@@ -96,8 +96,8 @@ class Pictures(ProgramTest):
         self.assertEqual(eight, self.shot("cubes", "again.png", *command, "--motion-steps", "8"))
         lowered = self.run_program("shot", "cubes", "-o", "lowered.png", *command, "--motion-steps", "32")
         self.assertEqual((lowered.returncode, lowered.stderr),
-                         (0, "timeshade: note: motion steps: 8 instead of 32, since 8 samples a pixel are shared by all "
-                             "pieces alike\n"))
+                         (0, "timeshade: note: motion steps: 8 instead of 32, since 8 samples a pixel are shared by "
+                             "all pieces alike\n"))
         self.assertEqual(eight, (self.folder / "lowered.png").read_bytes())
         self.refuse(1, ("history", "expected --motion-steps 1, not 8"), "shot", "cubes", "-o", "F.png",
                     "--technique", "history", *SMALL, "--motion-steps", "8", leaves=self.files())
