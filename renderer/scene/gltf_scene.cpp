@@ -18,6 +18,7 @@
 #include "scene/gltf_geometry.h"
 #include "scene/gltf_images.h"
 #include "scene/gltf_instances.h"
+#include "scene/gltf_instancing.h"
 #include "scene/gltf_probes.h"
 #include "scene/gltf_views.h"
 
@@ -305,6 +306,7 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     Model model = readModel(document);
     loadBuffers(model, document, files);
     validate(model);
+    expandInstances(model, options.maxTriangles);
 
     std::vector<std::string> notes = std::move(model.notes);
     auto geometries = readGeometries(model, Budget{options.maxTriangles}, notes);
