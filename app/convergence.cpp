@@ -92,6 +92,7 @@ ConvergenceReferences measureCurves(FrameRenderer& renderer, FramePlanner& plann
 std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options, const std::string& name,
                          const std::vector<int>& frames, std::vector<ConvergenceCurve> curves) {
     requireStrata(options, "--convergence");
+    requireOneMotionStep(options, "--convergence");
     const std::unique_ptr<Scene> scene = openScene(name, options.clip, options.settings);
     FramePlanner planner(*scene);
     FrameRequest request = requestFor(options, *scene);

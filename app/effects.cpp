@@ -47,6 +47,7 @@ int runEffects(const MeasureOptions& options) {
     nlohmann::ordered_json json;
     for (const std::string& name : names) {
         requireStrata(options, "--effects");
+        requireOneMotionStep(options, "--effects");
         const std::unique_ptr<Scene> scene = openScene(name, options.clip, options.settings);
         const FrameRequest request = requestFor(options, *scene);
         std::optional<Progress> progress;

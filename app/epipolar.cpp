@@ -56,6 +56,7 @@ std::string caption(const EpipolarView& view) {
 
 int runEpipolar(const EpipolarOptions& options) {
     requireStrata(options, "the epipolar view");
+    requireOneMotionStep(options, "the epipolar view");
     requireWritable(options.output);
     if (!options.json.empty()) requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "standard_error.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -21,6 +22,11 @@ FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
     request.forceDynamic = options.forceDynamic;
     request.useCaches = !options.noCache;
     request.pixelCentres = options.pixelCentres;
+    request.motionSteps = options.motionSteps;
+    if (request.motionSteps > 1 && request.samples == CameraSamples::Intervals)
+        throw UsageError(
+            fmt::format("--motion-steps {}: interval samples take one linear motion; expected --samples strata",
+                        request.motionSteps));
     request.looping = options.looping;
     request.shutter.framesPerSecond = options.framesPerSecond.value_or(scene.defaults().framesPerSecond);
     request.shutter.length = options.shutterLength.value_or(scene.defaults().shutterLength);
@@ -51,6 +57,7 @@ FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
 
 FrameRequest requestFor(const FrameOptions& options, const Scene& scene) {
     const FrameRequest request = requestOfShutter(options, scene);
+    if (const std::optional<std::string> lowered = loweredMotionSteps(request)) tellNote(*lowered);
     return options.instant ? atInstant(request, *options.instant) : request;
 }
 
@@ -58,6 +65,12 @@ void requireStrata(const FrameOptions& options, const std::string& what) {
     if (options.samples == CameraSamples::Intervals)
         throw UsageError(
             fmt::format("--samples intervals: {} needs camera samples that have a time each; expected strata", what));
+}
+
+void requireOneMotionStep(const FrameOptions& options, const std::string& what) {
+    if (options.motionSteps > 1)
+        throw UsageError(
+            fmt::format("--motion-steps {}: {} takes one linear motion; expected 1", options.motionSteps, what));
 }
 
 void setResponse(FrameOptions& options, const Shutter& shutter) {
@@ -69,6 +82,7 @@ void setResponse(FrameOptions& options, const Shutter& shutter) {
 FrameRequest atInstant(const FrameRequest& request, double u) {
     FrameRequest instant = request;
     const double open = request.shutter.openSeconds(request.frame), close = request.shutter.closeSeconds(request.frame);
+    instant.motionSteps = 1;
     instant.shutter.length = 0.0;
     instant.shutter.position = ShutterPosition::Start;
     instant.frame = (open + (close - open) * u) * request.shutter.framesPerSecond;

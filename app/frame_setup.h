@@ -13,6 +13,8 @@ namespace timeshade {
 /// Of what shows or judges camera samples one by one, each at its own time. Throws UsageError for interval samples;
 /// `what` begins the line.
 void requireStrata(const FrameOptions& options, const std::string& what);
+/// Likewise for what takes a shutter of one linear piece.
+void requireOneMotionStep(const FrameOptions& options, const std::string& what);
 
 /// What the options ask for, with the scene's own defaults where they are silent. Throws UsageError for a camera that
 /// the scene does not have, and for the width of a response that has none.

@@ -124,6 +124,7 @@ std::vector<PictureWord> pictureWords(const PictureOptions& options) {
     if (options.shutterResponse != defaults.shutterResponse)
         add("shutter-response", responses[static_cast<std::size_t>(options.shutterResponse)]);
     if (options.shutterWidth) add("shutter-width", fmt::format("{}", *options.shutterWidth));
+    if (options.motionSteps != defaults.motionSteps) add("motion-steps", fmt::format("{}", options.motionSteps));
     if (options.instant) add("instant", fmt::format("{}", *options.instant));
     if (!options.camera.empty()) add("camera", options.camera);
     if (options.pose) add("pose", textOf(*options.pose));
@@ -153,7 +154,7 @@ std::string settingsJson(const PictureOptions& options, const std::string& windo
         const bool plain = key == "spp" || (key == "map" && options.mapSize.isSquare()) || key == "seed" ||
                            key == "frame" || key == "time" || key == "fps" || key == "shutter" ||
                            key == "shutter-width" || key == "seam" || key == "instant" || key == "force-dynamic" ||
-                           key == "no-cache" || key == "pixel-centres" || key == "time-strata";
+                           key == "no-cache" || key == "motion-steps" || key == "pixel-centres" || key == "time-strata";
         json[key] = plain ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);

@@ -31,7 +31,7 @@ std::string responseWords(const FramePlan& plan, const Technique& technique) {
                                   "of {:.4g} of the shutter",
                                   shutter.width);
     if (plan.block.response == SHUTTER_BOX) return words + "; without effect, as nothing moves";
-    const bool single = plan.block.strata == 1 && technique.renders() == 1;
+    const bool single = plan.block.wholeStrata == 1 && technique.renders() == 1;
     return words + (single ? "; without effect on one sample a pixel, which is its own mean" : "");
 }
 
@@ -144,6 +144,7 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
         json["warm_up"] = {{"frames_before", technique.warmUpFrames()}, {"times_held", technique.heldFrames()}};
     json["fps"] = request.shutter.framesPerSecond;
     json["shutter"] = request.shutter.length;
+    if (request.motionSteps > 1) json["motion_steps"] = request.motionSteps;
     if (request.looping != Looping::Auto) json["loop"] = request.looping == Looping::On ? "on" : "off";
     if (request.shutter.response == ShutterResponse::Tent) json["shutter_response"] = "tent";
     if (request.shutter.response == ShutterResponse::Gaussian) {

@@ -51,8 +51,8 @@ constexpr std::array allowedKeys{"scene",         "size",
                                  "set",           "pixel-centres",
                                  "loop",          "shutter-response",
                                  "samples",       "time-strata",
-                                 "shutter-width", "equal-time",
-                                 "equal-error"};
+                                 "shutter-width", "motion-steps",
+                                 "equal-time",    "equal-error"};
 
 void requireAllowed(const std::string& key, const std::string& place) {
     if (std::find(allowedKeys.begin(), allowedKeys.end(), key) == allowedKeys.end())

@@ -21,7 +21,7 @@ namespace timeshade {
 namespace {
 
 std::shared_ptr<const ReferenceVisibility> converged(const FramePlan& plan, int rays) {
-    const Progress progress(plan.request.height);
+    const Progress progress(plan.request.height * rendersOf(plan, 1));
     const ReferenceCache cache;
     return referenceVisibility(plan, rays, cache, [&](int rows, int) { progress.update(rows); });
 }
@@ -90,7 +90,10 @@ void requireBinary(const Technique& technique) {
 }  // namespace
 
 int runVerify(const VerifyOptions& options) {
-    if (!options.dump.empty()) requireStrata(options, "--dump");
+    if (!options.dump.empty()) {
+        requireStrata(options, "--dump");
+        requireOneMotionStep(options, "--dump");
+    }
     if (options.maxPpm) requireStrata(options, "--max-ppm");
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
     const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
@@ -114,7 +117,7 @@ int runVerify(const VerifyOptions& options) {
     if (options.referenceRays > 0) how.reference = converged(plan, options.referenceRays);
     Verification verification;
     {
-        const Progress progress(technique->renders());
+        const Progress progress(rendersOf(plan, technique->renders()));
         how.progress = [&](int done, int) { progress.update(done); };
         drawWarmUp(renderer, planner, *technique, request, View::Visibility);
         verification = verifyFrame(renderer, plan, *technique, how);

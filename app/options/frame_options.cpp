@@ -87,6 +87,12 @@ void declareShutter(CLI::App& app, FrameOptions& options) {
                    "shutter (default: a sixth)")
         ->check(numberFrom(Shutter::leastWidth, Shutter::mostWidth))
         ->multi_option_policy(lastWins);
+    app.add_option(
+           "--motion-steps", options.motionSteps,
+           "1, 2, 4, 8, 16, 32: into how many pieces the shutter is cut, in each of which all motion is linear; "
+           "what turns or bounces is drawn right with enough. Lowered to what divides --spp")
+        ->transform(oneOf<int>({{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}, {"32", 32}}))
+        ->multi_option_policy(lastWins);
     app.add_option("--instant", options.instant,
                    "one instant of the shutter instead of all of it: 0 where it opens, 1 where it closes")
         ->check(numberFrom(0.0, 1.0))

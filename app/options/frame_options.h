@@ -26,6 +26,7 @@ struct FrameOptions {
     std::optional<double> framesPerSecond;  ///< the scene's own where not given
     std::optional<double> shutterLength;    ///< frames; the scene's own where not given
     std::optional<double> instant;          ///< one instant of the shutter, u in [0, 1], instead of all of it
+    int motionSteps = 1;                    ///< linear pieces of the shutter: a power of two
     Looping looping = Looping::Auto;
     ShutterPosition shutterPosition = ShutterPosition::Start;
     ShutterResponse shutterResponse = ShutterResponse::Box;

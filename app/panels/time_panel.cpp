@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,20 @@ void drawInstant(Session& session, Widgets& widgets) {
         "runs through the shutter.";
     double u = *session.moment.instant;
     if (widgets.slider("instant", "Instant", u, number)) session.moment.instant = std::clamp(u, 0.0, 1.0);
+}
+
+void drawMotionSteps(Session& session, Widgets& widgets) {
+    FrameRequest& request = session.moment.request;
+    const std::vector<std::string> counts{"1", "2", "4", "8", "16", "32"};
+    const auto steps = widgets.combo(
+        "motion-steps", "Motion steps", counts,
+        static_cast<std::size_t>(std::countr_zero(unsigned(request.motionSteps))),
+        "Into how many pieces the shutter is cut, in each of which all motion is linear: what turns or bounces is "
+        "drawn "
+        "right with enough of them. Each is drawn with its share of the samples, so that they are lowered to what "
+        "divides those.",
+        counts);
+    if (steps) request.motionSteps = 1 << *steps;
 }
 
 void drawPart(Session& session, Widgets& widgets) {
@@ -69,6 +84,7 @@ void drawRecording(Session& session, Widgets& widgets) {
 void drawTimePanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.time", "Time and recording", true)) return;
     drawInstant(session, widgets);
+    drawMotionSteps(session, widgets);
     drawPart(session, widgets);
     drawRecording(session, widgets);
 }

@@ -66,10 +66,11 @@ std::string statusOf(const Session& session) {
     if (session.driver.state() == FrameDriver::State::Failed) return "This frame can't be rendered";
     if (!session.driver.hasPlan()) return "Rendering first frame...";
     const FrameRequest& drawn = session.renderer.plan().request;
-    const int samples = session.renderer.renders() > 1 ? session.renderer.renders() : drawn.samplesPerPixel;
+    const int instants = session.technique.current().renders();
+    const int samples = instants > 1 ? instants : drawn.samplesPerPixel;
     const FrameTimes& times = session.driver.times();
     const std::string cost = times.frames() > 0 ? ", " + inMilliseconds(times.medianTotal()) : "";
-    const char* unit = session.renderer.renders() > 1 ? "renders" : "spp";
+    const char* unit = instants > 1 ? "renders" : "spp";
     const std::string size =
         fmt::format("{} x {}, {} {}, map {}", drawn.width, drawn.height, samples, unit, drawn.mapSize.text());
     return session.driver.preview() ? "Preview " + size + cost : size + cost;

@@ -119,15 +119,16 @@ void AccuracyProbe::beginSubject() {
     // So that every draw that counts finds its programs compiled and its caches filled.
     drawVariants(*renderer_, *planner_, *technique_, plan_->request, View::Final);
     drawWarmUp(*renderer_, *planner_, *technique_, plan_->request, View::Final);
-    oracle_ = std::make_unique<Oracle>(*plan_);
+    oracle_.reset();
     means_.emplace(static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height));
     tested_ = wrong_ = 0;
 }
 
 /// Adds the lit values of the render just drawn to the pixels' means.
 void AccuracyProbe::compareRender() {
-    const int renders = renderer_->renders();
-    const FramePlan drawn = renders > 1 ? planAtInstant(*plan_, renderer_->rendersDone() - 1, renders) : *plan_;
+    const FramePlan drawn = renderOf(*plan_, renderer_->rendersDone() - 1, technique_->renders());
+    if (!oracle_ || builtFor_ != drawn.mesh) oracle_ = std::make_unique<Oracle>(drawn);
+    builtFor_ = drawn.mesh;
     const std::vector<OracleAnswer> truth = oracle_->answer(drawn, renderer_->readSampleIds());
     const std::vector<float> lit = renderer_->readVisibility();
     const auto pixels = static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height);
@@ -165,7 +166,7 @@ std::optional<ProbePoint> AccuracyProbe::draw() {
     times_.push_back(milliseconds_);
     if (times_.size() == 1) image_ = renderer_->readRadiance();
     // Brute force takes long enough for one to do.
-    if (times_.size() < (renderer_->renders() > 1 ? 1 : countedDraws)) return std::nullopt;
+    if (times_.size() < (technique_->renders() > 1 ? 1 : countedDraws)) return std::nullopt;
     std::sort(times_.begin(), times_.end());
     ProbePoint point;
     point.subject = *subject_;

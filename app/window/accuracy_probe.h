@@ -88,7 +88,8 @@ class AccuracyProbe {
     std::vector<double> times_;  ///< of the completed draws
     LinearImage image_;          ///< of the first of them
 
-    std::unique_ptr<Oracle> oracle_;  ///< of the subject's plan
+    std::unique_ptr<Oracle> oracle_;  ///< of the piece of the shutter that was drawn last
+    std::shared_ptr<const MotionMesh> builtFor_;
     std::optional<PixelMeans> means_;
     std::uint64_t tested_ = 0, wrong_ = 0;
     std::string failure_;

@@ -10,6 +10,7 @@ std::vector<double> momentKeyOf(const FrameRequest& request) {
                             double(shutter.position),
                             double(shutter.response),
                             shutter.width,
+                            double(request.motionSteps),
                             double(request.looping),
                             double(request.cameraIndex)};
     if (!request.cameraPose) return key;

@@ -103,6 +103,11 @@ void PixelProbe::begin(Session& session) {
     if (!renderer_) renderer_.emplace();
     others_.clear();
     next_ = 0;
+    if (!session.renderer.plan().pieces.empty()) {
+        caption_ = "The values of samples are shown of a shutter with one motion step";
+        complete_ = true;
+        return;
+    }
     for (const TechniqueDescription& description : techniqueDescriptions()) {
         std::unique_ptr<Technique> other =
             techniqueFor(description.name, session.options.settings, renderer_->programs());

@@ -91,6 +91,7 @@ void Session::keepPicture() {
     options.mapSize = request.mapSize;
     options.seed = request.seed;
     options.pixelCentres = request.pixelCentres;
+    options.motionSteps = request.motionSteps;
     options.looping = request.looping;
     options.instant = moment.instant;
     options.shutterPosition = request.shutter.position;

@@ -84,6 +84,7 @@ PictureOptions pictureOptions(Session& session) {
     options.mapSize = request.mapSize;
     options.seed = request.seed;
     options.pixelCentres = request.pixelCentres;
+    options.motionSteps = request.motionSteps;
     options.looping = request.looping;
     options.frame = session.moment.playback.frame();
     options.seconds.reset();

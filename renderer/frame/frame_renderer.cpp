@@ -97,6 +97,9 @@ void FrameRenderer::resize(int width, int height, int strata) {
 void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView) {
     if (const std::optional<std::string> reason = technique.unsupported(plan))
         throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
+    for (const FramePlan& piece : plan.pieces)
+        if (const std::optional<std::string> reason = technique.unsupported(piece))
+            throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
     if (plan.block.positions > 0) requireIntervals(technique, techniqueView);
     std::optional<TechniqueView> own;
     if (!techniqueView.empty()) own = viewOf(technique, techniqueView);
@@ -105,24 +108,26 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
     technique_ = &technique;
     techniqueView_ = std::move(own);
     view_ = view;
-    renders_ = technique.renders();
+    instants_ = technique.renders();
+    renders_ = rendersOf(*plan_, instants_);
     done_ = 0;
     weightDone_ = 0.0;
     settings_.set(technique);
-    resize(plan_->request.width, plan_->request.height, renders_ > 1 ? 1 : plan_->request.samplesPerPixel);
+    resize(plan_->request.width, plan_->request.height,
+           instants_ > 1 ? 1 : pieceOf(*plan_, 0, 1).request.samplesPerPixel);
     forgetPast(technique);  // after what may have invalidated everything
     if (techniqueView_ &&
         (!values_ || values_->width() != radiance_->width() || values_->height() != radiance_->height()))
         values_ = gl::Texture::image2D("view values", GL_R32F, radiance_->width(), radiance_->height());
-    mesh_.update(*plan_);
     const std::array<GLfloat, 4> black{};
     glClearTexImage(radiance_->name(), 0, GL_RGBA, GL_FLOAT, black.data());
 }
 
 bool FrameRenderer::step() {
     if (complete()) return true;
-    render_ = renders_ > 1 ? planAtInstant(*plan_, done_, renders_) : *plan_;
+    render_ = renderOf(*plan_, done_, instants_);
     const FramePlan& render = *render_;
+    mesh_.update(render);
     uniforms_.set(render);
     settings_.bind();
     mesh_.bind();

@@ -29,7 +29,8 @@ struct GpuMemory {
 
 /// The one function that draws a frame: window, headless pictures, tests and measurements all call it.
 ///   plan -> sample pass -> technique (build, lookup) -> shade -> display
-/// A technique that draws the frame many times (brute force) is drawn one render a step, so that a window stays alive.
+/// A technique that draws the frame many times (brute force) is drawn one render a step, so that a window stays alive;
+/// so is a shutter of many linear pieces, one piece a step.
 class FrameRenderer {
   public:
     /// Needs a current context for as long as it lives.
@@ -128,6 +129,7 @@ class FrameRenderer {
     std::size_t techniqueBytes_ = 0;  ///< after the last render
     View view_ = View::Final;
     std::optional<TechniqueView> techniqueView_;
+    int instants_ = 1;  ///< that the technique draws of the frame
     int renders_ = 0, done_ = 0;
     double weightDone_ = 0.0;          ///< share of the renders so far in the whole picture
     std::uint64_t invalidatedAt_ = 0;  ///< how much had been invalidated, by any renderer, after this one's last time

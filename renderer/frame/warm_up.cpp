@@ -37,7 +37,8 @@ void emptyCaches(FrameRenderer& renderer, Technique& technique) {
 
 void drawVariants(FrameRenderer& renderer, FramePlanner& planner, Technique& technique, const FrameRequest& request,
                   View view, const std::string& techniqueView) {
-    constexpr int renders = 3;  // of brute force: its caches are empty in the first, fill in the second
+    // Of brute force three renders: its caches are empty in the first, fill in the second.
+    const int renders = technique.renders() > 1 ? 3 : maximumMotionSteps;
     const auto draw = [&](double frame) {
         FrameRequest drawn = request;
         drawn.frame = frame;

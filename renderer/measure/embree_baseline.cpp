@@ -103,7 +103,8 @@ struct EmbreeBaseline::Implementation {
         for (int lane = 0; lane < packetSize; ++lane) {
             valid[lane] = x + lane < plan.request.width ? -1 : 0;
             const glm::uvec2 pixel(static_cast<unsigned>(x + lane), static_cast<unsigned>(y));
-            const glm::vec3 pattern = shared::cameraSample(pixel, stratum, plan.block.seed, plan.block.pixelCentres);
+            const glm::vec3 pattern = shared::cameraSample(pixel, plan.block.firstStratum + stratum, plan.block.seed,
+                                                           plan.block.pixelCentres);
             const float u = shared::sampleTime(plan.block.timeBase, plan.block.timeScale, stratum, pattern.z);
             const glm::vec2 position = (glm::vec2(pixel) + glm::vec2(pattern)) / plan.camera.block.size;
             const glm::vec3 eye = rays.eye.at(u);

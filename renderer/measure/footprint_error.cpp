@@ -24,18 +24,18 @@ SampleFootprint footprintOf(const Footprint& footprint, SampleIndex sample, std:
     return over;
 }
 
-FootprintErrorSum::FootprintErrorSum(const Oracle& oracle, const FramePlan& plan, int renders,
-                                     const Footprint& footprint, Options options)
-    : oracle_(oracle),
-      footprint_(footprint),
+FootprintErrorSum::FootprintErrorSum(const FramePlan& plan, int instants, const Footprint& footprint, Options options)
+    : footprint_(footprint),
       options_(options),
-      strata_(renders > 1 ? static_cast<std::uint32_t>(renders) : plan.block.strata),
+      instants_(static_cast<std::uint32_t>(instants)),
       width_(plan.block.imageSize.x),
       sum_(pixelsOf(plan)) {
-    chosenShare_ = static_cast<double>(options.samples) / (static_cast<double>(pixelsOf(plan)) * strata_);
+    const std::uint32_t strata = instants > 1 ? instants_ : plan.block.strata;
+    chosenShare_ = static_cast<double>(options.samples) / (static_cast<double>(pixelsOf(plan)) * strata);
 }
 
-void FootprintErrorSum::beginRender(const FramePlan& plan, int render) {
+void FootprintErrorSum::beginRender(const Oracle& oracle, const FramePlan& plan, int render) {
+    oracle_ = &oracle;
     plan_ = &plan;
     render_ = static_cast<std::uint32_t>(render);
 }
@@ -53,7 +53,9 @@ void FootprintErrorSum::add(SampleIndex sample, std::uint32_t triangle, const Or
         sum_.add(pixelOf(sample), less, less);
     } else if (isChosen(sample)) {
         // Renders at one instant each share the shutter as strata do.
-        chosen_.push_back(footprintOf(footprint_, sample, triangle, truth.time, sample.stratum + render_, strata_));
+        const bool isInstant = instants_ > 1;
+        chosen_.push_back(footprintOf(footprint_, sample, triangle, truth.time, isInstant ? render_ : sample.stratum,
+                                      isInstant ? instants_ : plan_->block.strata));
         lit_.push_back(lit);
     }
 }
@@ -61,8 +63,8 @@ void FootprintErrorSum::add(SampleIndex sample, std::uint32_t triangle, const Or
 void FootprintErrorSum::finishRender() {
     if (chosen_.empty()) return;
     const std::uint32_t half = std::max(1u, options_.rays / 2);
-    const std::vector<VisibilityMean> first = oracle_.footprintMeans(*plan_, chosen_, half, firstSeed);
-    const std::vector<VisibilityMean> second = oracle_.footprintMeans(*plan_, chosen_, half, secondSeed);
+    const std::vector<VisibilityMean> first = oracle_->footprintMeans(*plan_, chosen_, half, firstSeed);
+    const std::vector<VisibilityMean> second = oracle_->footprintMeans(*plan_, chosen_, half, secondSeed);
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
         if (!first[i].exists() || !second[i].exists()) continue;
         const double lit = static_cast<double>(lit_[i]);

@@ -34,12 +34,11 @@ class FootprintErrorSum {
         std::uint32_t rays = 512;       ///< of each mean, both halves together
     };
 
-    /// `plan` is that of the whole frame, which is drawn in so many renders. The oracle must outlive this.
-    FootprintErrorSum(const Oracle& oracle, const FramePlan& plan, int renders, const Footprint& footprint,
-                      Options options);
-    /// The render that the samples after this belong to: its plan, and its number. The plan must live until
+    /// `plan` is that of the whole frame, of which the technique draws so many instants, or 1.
+    FootprintErrorSum(const FramePlan& plan, int instants, const Footprint& footprint, Options options);
+    /// The render that the samples after this belong to: its oracle, its plan, and its number. Both must live until
     /// finishRender.
-    void beginRender(const FramePlan& plan, int render);
+    void beginRender(const Oracle& oracle, const FramePlan& plan, int render);
     /// A sample that faces the light inside its cone.
     void add(SampleIndex sample, std::uint32_t triangle, const OracleAnswer& truth, float lit);
     void finishRender();
@@ -49,11 +48,11 @@ class FootprintErrorSum {
     bool isChosen(SampleIndex sample) const;
     std::size_t pixelOf(SampleIndex sample) const;
 
-    const Oracle& oracle_;
     Footprint footprint_;
     Options options_;
+    const Oracle* oracle_ = nullptr;
     const FramePlan* plan_ = nullptr;
-    std::uint32_t render_ = 0, strata_ = 1;
+    std::uint32_t render_ = 0, instants_ = 1;
     double chosenShare_ = 1.0;
     std::size_t width_ = 0;
     std::vector<SampleFootprint> chosen_;

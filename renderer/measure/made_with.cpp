@@ -55,13 +55,14 @@ std::string textOf(const Shutter& shutter) {
 }
 
 std::string textOf(const FrameRequest& request) {
-    const auto& [width, height, source, samples, timeStrata, map, seed, frame, shutter, looping, camera, forceDynamic,
-                 caches, centres, pose] = request;
+    const auto& [width, height, source, samples, timeStrata, map, seed, frame, shutter, steps, looping, camera,
+                 forceDynamic, caches, centres, pose] = request;
     const std::string intervals =
         source == CameraSamples::Intervals ? fmt::format("intervals in {} strata, ", timeStrata) : "";
+    const std::string inSteps = steps == 1 ? "" : fmt::format("in {} steps, ", steps);
     const std::string loop = looping == Looping::Auto ? "" : looping == Looping::On ? "loop on, " : "loop off, ";
-    return fmt::format("{} x {}, {}{} spp, map {}, seed {}, frame {}, shutter {}, {}camera {}, {}{}{}pose {}", width,
-                       height, intervals, samples, map.text(), seed, frame, textOf(shutter), loop, camera,
+    return fmt::format("{} x {}, {}{} spp, map {}, seed {}, frame {}, shutter {}, {}{}camera {}, {}{}{}pose {}", width,
+                       height, intervals, samples, map.text(), seed, frame, textOf(shutter), inSteps, loop, camera,
                        forceDynamic ? "force dynamic, " : "", caches ? "" : "no cache, ",
                        centres ? "pixel centres, " : "", textOf(pose));
 }

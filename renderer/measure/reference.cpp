@@ -32,6 +32,19 @@ std::string sceneDigest(const FramePlan& plan) {
     return digest.text();
 }
 
+/// Camera, light and shutter, without the samples of the image under test.
+std::string viewDigest(const FramePlan& plan) {
+    shared::FrameBlock block = plan.block;
+    block.seed = block.strata = block.firstStratum = block.wholeStrata = block.positions = 0;
+    block.mapWidth = block.pixelCentres = 0;
+    block.timeScale = block.wholeTimeScale = 0.0f;
+    block.lightCone.w = 0.0f;  // the width of a map texel
+    ReferenceDigest digest;
+    digest.bytes(&block, sizeof block);
+    digest.bytes(&plan.camera.block, sizeof plan.camera.block);
+    return digest.text();
+}
+
 /// Shading, sampling and receivers: a change in any of these files changes the picture.
 std::string shaderDigest() {
     ReferenceDigest digest;
@@ -52,13 +65,14 @@ FramePlan batchPlan(const FramePlan& plan, int batch) {
     drawn.request.samplesPerPixel = maximumSamplesPerPixel;
     drawn.request.samples = CameraSamples::Strata;
     drawn.block.positions = 0;
-    drawn.block.strata = maximumSamplesPerPixel;
-    drawn.block.timeScale = 1.0f / static_cast<float>(maximumSamplesPerPixel);
+    drawn.block.strata = drawn.block.wholeStrata = maximumSamplesPerPixel;
+    drawn.block.timeScale = drawn.block.wholeTimeScale = 1.0f / static_cast<float>(maximumSamplesPerPixel);
     // Seeds of their own, so that no image under test shares its noise with the reference.
     drawn.block.seed = 0x7ef00000u + static_cast<std::uint32_t>(batch);
     // What a pixel should show is the mean over its area, wherever the image under test has its samples.
     drawn.request.pixelCentres = false;
     drawn.block.pixelCentres = 0;
+    shareSamples(drawn);
     return drawn;
 }
 
@@ -80,18 +94,13 @@ std::vector<double> pixelWeights(const shared::FrameBlock& block) {
 }  // namespace
 
 std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options) {
-    shared::FrameBlock block = plan.block;
-    block.seed = block.strata = block.positions = 0;  // of the image under test
-    block.mapWidth = block.pixelCentres = 0;
-    block.timeScale = 0.0f;
-    block.lightCone.w = 0.0f;  // the width of a map texel
-    ReferenceDigest frame;
-    frame.bytes(&block, sizeof block);
-    frame.bytes(&plan.camera.block, sizeof plan.camera.block);
-    return fmt::format("reference 2; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}",
-                       sceneDigest(plan), frame.text(), shaderDigest(), plan.request.width, plan.request.height,
-                       batchesOf(options), maximumSamplesPerPixel,
-                       options.view == View::Final ? "final" : "visibility");
+    std::string key =
+        fmt::format("reference 3; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}",
+                    sceneDigest(plan), viewDigest(plan), shaderDigest(), plan.request.width, plan.request.height,
+                    batchesOf(options), maximumSamplesPerPixel, options.view == View::Final ? "final" : "visibility");
+    for (const FramePlan& piece : plan.pieces)
+        key += fmt::format("; piece {} {}", sceneDigest(piece), viewDigest(piece));
+    return key;
 }
 
 ReferenceBuilder::ReferenceBuilder(FramePlan plan, const ReferenceOptions& options, const ReferenceCache& cache)

@@ -18,9 +18,10 @@ namespace {
 constexpr std::uint32_t firstSeed = 0x7ef10001u, secondSeed = 0x7ef20002u;
 constexpr int rowsPerStep = 16;
 
-int wholePackets(int rays) {
-    constexpr int both = 2 * oracle::RayPacket::size;
-    return std::max(1, (rays + both - 1) / both) * both;
+/// Of both halves, and all pieces of the shutter alike.
+int wholePackets(const FramePlan& plan, int rays) {
+    const int all = 2 * oracle::RayPacket::size * std::max(1, static_cast<int>(plan.pieces.size()) / 2);
+    return std::max(1, (rays + all - 1) / all) * all;
 }
 
 void digestLight(const LightPose& light, ReferenceDigest& digest) {
@@ -28,6 +29,24 @@ void digestLight(const LightPose& light, ReferenceDigest& digest) {
     digest.value(light.position);
     digest.value(light.axes);
     digest.value(light.outerConeAngle);
+}
+
+void digestPiece(const FramePlan& plan, ReferenceDigest& digest) {
+    digest.values(plan.texels->positions);
+    digest.value(plan.origin);
+    digest.value(plan.camera.open);
+    digest.value(plan.camera.close);
+    digest.value(plan.camera.block.nearDistance);
+    digestLight(plan.lightOpen, digest);
+    digestLight(plan.lightClose, digest);
+    digest.value(plan.light.block.farDistance);
+}
+
+void add(const VisibilityMean& part, VisibilityMean& whole) {
+    whole.tested += part.tested;
+    whole.lit += part.lit;
+    whole.weights += part.weights;
+    whole.litWeights += part.litWeights;
 }
 
 float valueOf(const VisibilityMean& mean) {
@@ -38,21 +57,15 @@ float valueOf(const VisibilityMean& mean) {
 
 std::string referenceVisibilityKey(const FramePlan& plan, int rays) {
     ReferenceDigest digest;
-    digest.values(plan.texels->positions);
-    digest.value(plan.origin);
-    digest.value(plan.camera.open);
-    digest.value(plan.camera.close);
-    digest.value(plan.camera.block.nearDistance);
-    digestLight(plan.lightOpen, digest);
-    digestLight(plan.lightClose, digest);
-    digest.value(plan.light.block.farDistance);
+    digestPiece(plan, digest);
+    for (const FramePlan& piece : plan.pieces) digestPiece(piece, digest);
     // Nothing is said of a box, so that its key is the one that it has always had.
     if (plan.block.response != SHUTTER_BOX) {
         digest.value(plan.block.response);
         digest.value(plan.block.responseWidth);
     }
     return fmt::format("converged visibility 2; frame {}; {} x {}; {} rays", digest.text(), plan.request.width,
-                       plan.request.height, wholePackets(rays));
+                       plan.request.height, wholePackets(plan, rays));
 }
 
 ReferenceVisibilityBuilder::ReferenceVisibilityBuilder(FramePlan plan, int rays, const ReferenceCache& cache)
@@ -62,7 +75,7 @@ ReferenceVisibilityBuilder::ReferenceVisibilityBuilder(FramePlan plan, int rays,
       result_(std::make_shared<ReferenceVisibility>()) {
     result_->width = plan_.request.width;
     result_->height = plan_.request.height;
-    result_->rays = wholePackets(rays);
+    result_->rays = wholePackets(plan_, rays);
 }
 
 ReferenceVisibilityBuilder::~ReferenceVisibilityBuilder() = default;
@@ -73,18 +86,25 @@ bool ReferenceVisibilityBuilder::step() {
         soughtInCache_ = true;
         return complete_ = load();
     }
-    if (!oracle_) oracle_ = std::make_unique<Oracle>(plan_);
-    const auto first = static_cast<std::uint32_t>(rowsDone_);
-    const auto rows = static_cast<std::uint32_t>(std::min(rowsPerStep, result_->height - rowsDone_));
-    const auto half = static_cast<std::uint32_t>(result_->rays / 2);
-    for (const VisibilityMean& mean : oracle_->pixelMeans(plan_, first, rows, half, firstSeed))
-        result_->first.push_back(valueOf(mean));
-    for (const VisibilityMean& mean : oracle_->pixelMeans(plan_, first, rows, half, secondSeed))
-        result_->second.push_back(valueOf(mean));
+    const int height = result_->height, width = result_->width, piece = rowsDone_ / height;
+    const FramePlan& plan = pieceOf(plan_, piece, 1);
+    if (!oracle_) oracle_ = std::make_unique<Oracle>(plan);
+    const auto first = static_cast<std::uint32_t>(rowsDone_ % height);
+    const auto rows = std::min<std::uint32_t>(rowsPerStep, static_cast<std::uint32_t>(height) - first);
+    const auto rays = static_cast<std::uint32_t>(result_->rays / 2 / pieces());
+    for (int half = 0; half < 2; ++half) {
+        std::vector<VisibilityMean>& sums = sums_[static_cast<std::size_t>(half)];
+        sums.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        const std::uint32_t seed = (half == 0 ? firstSeed : secondSeed) + 0x100u * static_cast<std::uint32_t>(piece);
+        std::size_t pixel = std::size_t{first} * static_cast<std::size_t>(width);
+        for (const VisibilityMean& mean : oracle_->pixelMeans(plan, first, rows, rays, seed)) add(mean, sums[pixel++]);
+    }
     rowsDone_ += static_cast<int>(rows);
-    if (rowsDone_ < result_->height) return false;
+    if (rowsDone_ % height == 0) oracle_.reset();
+    if (rowsDone_ < this->rows()) return false;
+    for (const VisibilityMean& mean : sums_[0]) result_->first.push_back(valueOf(mean));
+    for (const VisibilityMean& mean : sums_[1]) result_->second.push_back(valueOf(mean));
     store();
-    oracle_.reset();
     return complete_ = true;
 }
 
@@ -96,7 +116,7 @@ bool ReferenceVisibilityBuilder::load() {
         result_->first.push_back(image->rgb[i]);
         result_->second.push_back(image->rgb[i + 1]);
     }
-    rowsDone_ = result_->height;
+    rowsDone_ = rows();
     return true;
 }
 

@@ -29,7 +29,8 @@ struct ReferenceVisibility {
 /// outlive it.
 class ReferenceVisibilityBuilder {
   public:
-    /// `rays` is rounded up to whole packets of both halves. Sample count, seed and map size of the plan do not matter.
+    /// `rays` is rounded up to whole packets of both halves, and of all pieces of the shutter. Sample count, seed and
+    /// map size of the plan do not matter.
     ReferenceVisibilityBuilder(FramePlan plan, int rays, const ReferenceCache& cache);
     ~ReferenceVisibilityBuilder();
     ReferenceVisibilityBuilder(const ReferenceVisibilityBuilder&) = delete;
@@ -37,20 +38,23 @@ class ReferenceVisibilityBuilder {
 
     bool complete() const { return complete_; }
     int rowsDone() const { return rowsDone_; }
-    int rows() const { return result_->height; }
+    /// Of all pieces of the shutter.
+    int rows() const { return result_->height * pieces(); }
     /// Looks into the cache the first time, and computes some rows each time after that. True when it is complete.
     bool step();
     /// Once it is complete.
     std::shared_ptr<const ReferenceVisibility> result() const { return result_; }
 
   private:
+    int pieces() const { return rendersOf(plan_, 1); }
     bool load();
     void store() const;
 
     FramePlan plan_;
     const ReferenceCache& cache_;
     std::string key_;
-    std::unique_ptr<Oracle> oracle_;
+    std::unique_ptr<Oracle> oracle_;  ///< of the piece that is being traced
+    std::vector<VisibilityMean> sums_[2];
     std::shared_ptr<ReferenceVisibility> result_;
     int rowsDone_ = 0;
     bool soughtInCache_ = false, complete_ = false;

@@ -108,6 +108,9 @@ class SceneSweep {
         referenceNoise_ = referenceNoise(renderer_, planner_, scene_.request, reference_, options_.referenceSamples);
         if (options_.referenceRays > 0)
             visibility_ = referenceVisibility(planFor(subjects.front().point, 0), options_.referenceRays, cache_);
+        for (const Subject& subject : subjects)
+            if (const auto lowered = loweredMotionSteps(requestFor(subject, 0)); lowered && options_.note)
+                options_.note(subject.point.key() + ": " + *lowered);
         for (int round = 0; round < options_.rounds; ++round)
             for (Subject& subject : subjects) {
                 steps_.next(fmt::format("{}: round {}", subject.point.key(), round + 1));
@@ -151,7 +154,7 @@ class SceneSweep {
             subject.row.bytes = memory.total();
             subject.row.techniqueBytes = memory.technique;
             subject.row.statistics = subject.technique->statistics();
-            subject.row.renders = renderer_.renders();
+            subject.row.renders = subject.technique->renders();
         }
     }
 
@@ -160,18 +163,23 @@ class SceneSweep {
     }
 
     /// Embree at its best on the same camera samples: building, primary rays, shadow rays, without any transfer.
-    void timeEmbree(const FramePlan& plan, std::map<std::string, double>& times) const {
+    void timeEmbree(const FramePlan& whole, std::map<std::string, double>& times) const {
+        times["build"] = times["sample"] = times["lookup"] = 0.0;
+        for (int piece = 0; piece < rendersOf(whole, 1); ++piece) timeEmbreePiece(pieceOf(whole, piece, 1), times);
+        times["total"] = times["build"] + times["sample"] + times["lookup"] + times["shade"];
+    }
+
+    static void timeEmbreePiece(const FramePlan& plan, std::map<std::string, double>& times) {
         EmbreeBaseline baseline(plan);
         auto begin = Clock::now();
         baseline.build();
-        times["build"] = millisecondsSince(begin);
+        times["build"] += millisecondsSince(begin);
         begin = Clock::now();
         baseline.tracePrimaries();
-        times["sample"] = millisecondsSince(begin);
+        times["sample"] += millisecondsSince(begin);
         begin = Clock::now();
         baseline.traceShadows();
-        times["lookup"] = millisecondsSince(begin);
-        times["total"] = times["build"] + times["sample"] + times["lookup"] + times["shade"];
+        times["lookup"] += millisecondsSince(begin);
     }
 
     void finish(Subject& subject) {

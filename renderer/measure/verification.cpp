@@ -52,8 +52,8 @@ class RenderComparison {
                 pixels_.add(i % pixelCount(plan_), static_cast<double>(lit[i]), weightOf(truth));
             }
             if (options_.visit) {
-                const SampleIndex shown{index.x, index.y, index.stratum + static_cast<std::uint32_t>(stratumShown)};
-                options_.visit({shown, triangles[i], truth, lit[i]});
+                const std::uint32_t first = plan_.block.firstStratum + static_cast<std::uint32_t>(stratumShown);
+                options_.visit({{index.x, index.y, index.stratum + first}, triangles[i], truth, lit[i]});
             }
         }
     }
@@ -116,8 +116,8 @@ FrameVerification::FrameVerification(FrameRenderer& renderer, FramePlan plan, Te
     : renderer_(renderer),
       plan_(std::move(plan)),
       options_(std::move(options)),
-      oracle_(plan_),
-      footprintError_(oracle_, plan_, technique.renders(), technique.footprint(), options_.footprint),
+      instants_(technique.renders()),
+      footprintError_(plan_, instants_, technique.footprint(), options_.footprint),
       pixels_(pixelCount(plan_)) {
     sum_.footprint = technique.footprint();
     renderer_.begin(plan_, technique, View::Visibility);
@@ -130,11 +130,13 @@ bool FrameVerification::step() {
         addParts(renderer_, plan_, sum_, pixels_);
         return ++done_ == renders();
     }
-    const FramePlan drawn = renders() > 1 ? planAtInstant(plan_, done_, renders()) : plan_;
+    const FramePlan drawn = renderOf(plan_, done_, instants_);
+    if (!oracle_ || builtFor_ != drawn.mesh) oracle_ = std::make_unique<Oracle>(drawn);
+    builtFor_ = drawn.mesh;
     const std::vector<std::uint32_t> triangles = renderer_.readSampleIds();
-    RenderComparison comparison(oracle_, drawn, options_, sum_, footprintError_, pixels_);
-    footprintError_.beginRender(drawn, done_);
-    comparison.compareLit(triangles, renderer_.readVisibility(), done_);
+    RenderComparison comparison(*oracle_, drawn, options_, sum_, footprintError_, pixels_);
+    footprintError_.beginRender(*oracle_, drawn, done_);
+    comparison.compareLit(triangles, renderer_.readVisibility(), instants_ > 1 ? done_ : 0);
     footprintError_.finishRender();
     if (options_.checkPrimaries) comparison.comparePrimaries(triangles);
     ++done_;

@@ -53,10 +53,10 @@ struct Verification {
 
 /// One camera sample as the dump and the views show it.
 struct VerifiedSample {
-    SampleIndex index;
+    SampleIndex index;  ///< its stratum is that of the whole shutter
     std::uint32_t triangle = NO_TRIANGLE;
-    OracleAnswer truth;
-    float lit = 1.0f;  ///< the technique's value
+    OracleAnswer truth;  ///< its time is that in its piece of the shutter
+    float lit = 1.0f;    ///< the technique's value
 };
 
 struct VerificationOptions {
@@ -92,7 +92,9 @@ class FrameVerification {
     FrameRenderer& renderer_;
     FramePlan plan_;
     VerificationOptions options_;
-    Oracle oracle_;
+    int instants_;                    ///< that the technique draws of the frame
+    std::unique_ptr<Oracle> oracle_;  ///< of the piece of the shutter that is being compared
+    std::shared_ptr<const MotionMesh> builtFor_;
     Verification sum_;
     FootprintErrorSum footprintError_;
     PixelMeans pixels_;

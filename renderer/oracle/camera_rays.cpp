@@ -46,8 +46,10 @@ void testLight(const FramePlan& plan, const glm::dvec3& normal, Receiver& receiv
 
 CameraRay cameraRay(const FramePlan& plan, SampleIndex sample) {
     const glm::uvec2 pixel(sample.x, sample.y);
-    const glm::vec3 pattern = shared::cameraSample(pixel, sample.stratum, plan.block.seed, plan.block.pixelCentres);
-    const float u = shared::sampleTime(plan.block.timeBase, plan.block.timeScale, sample.stratum, pattern.z);
+    const shared::FrameBlock& block = plan.block;
+    const glm::vec3 pattern =
+        shared::cameraSample(pixel, block.firstStratum + sample.stratum, block.seed, block.pixelCentres);
+    const float u = shared::sampleTime(block.timeBase, block.timeScale, sample.stratum, pattern.z);
     return cameraRayThrough(plan, glm::vec2(pixel) + glm::vec2(pattern), u);
 }
 

@@ -118,8 +118,9 @@ std::vector<VisibilityMean> Oracle::footprintMeans(const FramePlan& plan, std::s
         const SampleFootprint& over = footprints[i];
         if (over.triangle >= instances.size()) return;
         // Two samples of a pixel share no random numbers.
-        const RayPattern pattern({over.sample.x, over.sample.y}, over.from, over.to, rays,
-                                 shared::hashWords({seed, over.sample.stratum, 0x8f1bbcdcu}).x);
+        const RayPattern pattern(
+            {over.sample.x, over.sample.y}, over.from, over.to, rays,
+            shared::hashWords({seed, plan.block.firstStratum + over.sample.stratum, 0x8f1bbcdcu}).x);
         means[i] = over.space == SampleFootprint::Space::Point
                        ? meanOfPoint(*implementation_, plan, over, pattern, rays)
                        : meanOfPixel(*implementation_, plan, pattern, rays, &instances[over.triangle]);

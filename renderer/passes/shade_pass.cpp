@@ -10,7 +10,7 @@ void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const 
     if (plan.camera.turns) defines.emplace_back("CAMERA_TURNS", "1");
     if (view == View::Visibility) defines.emplace_back("VIEW_VISIBILITY", "1");
     // A single sample is its own mean.
-    if (plan.block.response != SHUTTER_BOX && plan.block.strata > 1) defines.emplace_back("SHUTTER_WEIGHTS", "1");
+    if (plan.block.response != SHUTTER_BOX && plan.block.wholeStrata > 1) defines.emplace_back("SHUTTER_WEIGHTS", "1");
     const gl::Program& program = programs_.get({"shade", "passes/fullscreen.vert", "passes/shade.frag", defines});
     samples.ids().bind(SAMPLE_IDS_UNIT);
     visibility.lit().bind(VISIBILITY_UNIT);

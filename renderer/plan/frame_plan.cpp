@@ -1,6 +1,7 @@
 #include "plan/frame_plan.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -207,7 +208,8 @@ void fillSamples(shared::FrameBlock& block, const FrameRequest& request, bool so
     block.positions = intervals ? static_cast<std::uint32_t>(request.samplesPerPixel) : 0;
     block.timeBase = 0.0f;
     block.timeScale = 1.0f / static_cast<float>(strata);
-    block.strata = static_cast<std::uint32_t>(strata);
+    block.strata = block.wholeStrata = static_cast<std::uint32_t>(strata);
+    block.wholeTimeScale = block.timeScale;
 }
 
 MotionSummary summarise(const FramePlan& plan, std::size_t movingTriangles) {
@@ -233,6 +235,10 @@ void checkRequest(const FrameRequest& request) {
     CHECK_LE(request.timeStrata, maximumSamplesPerPixel);
     CHECK_GE(request.mapSize.shorterSide(), 1);
     CHECK_LE(request.mapSize.longerSide(), maximumMapSide);
+    CHECK_GE(request.motionSteps, 1);
+    CHECK_LE(request.motionSteps, maximumMotionSteps);
+    CHECK(std::has_single_bit(static_cast<unsigned>(request.motionSteps)));
+    CHECK(request.motionSteps == 1 || request.samples == CameraSamples::Strata);
     CHECK_GT(request.shutter.framesPerSecond, 0.0);
     CHECK_GE(request.shutter.length, 0.0);
     CHECK_GE(request.shutter.width, Shutter::leastWidth);
@@ -246,7 +252,7 @@ std::string lightWords(const MotionSummary& motion) {
 
 /// Shadow maps and what is built on them take a caster's path in the map as straight. Where a sun turns over one that
 /// moves it is a parabola: what they may be off by.
-std::optional<std::string> bentPathWarning(const FramePlan& plan) {
+std::optional<PathWarning> bentPathWarning(const FramePlan& plan) {
     if (plan.light.projection != Projection::Orthographic || plan.motion.lightTurnDegrees == 0.0) return std::nullopt;
     const glm::mat3 turn =
         glm::mat3(plan.light.block.viewFromWorldClose) - glm::mat3(plan.light.block.viewFromWorldOpen);
@@ -257,10 +263,12 @@ std::optional<std::string> bentPathWarning(const FramePlan& plan) {
     }
     const double texels = 0.25 * static_cast<double>(largest) * plan.request.mapSize.longerSide();
     if (texels < 0.5) return std::nullopt;
-    return fmt::format(
-        "casters move while the sun turns: shadow maps take their paths as straight, which is off by up to {:.1f} "
-        "texels",
-        texels);
+    return PathWarning{
+        PathWarning::Kind::Map, texels,
+        fmt::format(
+            "casters move while the sun turns: shadow maps take their paths as straight, which is off by up to {:.1f} "
+            "texels",
+            texels)};
 }
 
 std::string motionWords(const MotionSummary& motion) {
@@ -270,10 +278,11 @@ std::string motionWords(const MotionSummary& motion) {
 
 }  // namespace
 
-ShutterTimes shutterTimes(const Scene& scene, const FrameRequest& request) {
-    const Shutter& shutter = request.shutter;
-    return loopedTimes(scene, request.looping,
-                       {shutter.openSeconds(request.frame), shutter.closeSeconds(request.frame)});
+ShutterTimes shutterTimes(const Scene& scene, const FrameRequest& request, int piece, int pieces) {
+    const double open = request.shutter.openSeconds(request.frame), close = request.shutter.closeSeconds(request.frame);
+    // Neighbours share the very same time.
+    const auto border = [&](int k) { return k == pieces ? close : open + (close - open) * k / pieces; };
+    return loopedTimes(scene, request.looping, {border(piece), border(piece + 1)});
 }
 
 FramePlanner::FramePlanner(const Scene& scene)
@@ -282,30 +291,41 @@ FramePlanner::FramePlanner(const Scene& scene)
       exposure_(exposureOf(scene)),
       rest_(std::make_shared<const RestPose>(scene)) {}
 
-void FramePlanner::deform(double openSeconds, double closeSeconds) {
-    if (mesh_ && openSeconds == openSeconds_ && closeSeconds == closeSeconds_) return;
-    mesh_ = std::make_shared<const MotionMesh>(scene_.motionMesh(openSeconds, closeSeconds));
-    texels_ = std::make_shared<const MeshTexels>(packMesh(*mesh_, scene_.materials(), origin_));
-    extent_ = {};
-    for (const auto* positions : {&mesh_->positionsOpen, &mesh_->positionsClose})
-        for (const glm::dvec3& position : *positions) extent_.add(position - origin_);
-    movingTriangles_ = countMovingTriangles(*mesh_);
-    inner_ = scene_.innerMotion(openSeconds, closeSeconds);
-    openSeconds_ = openSeconds;
-    closeSeconds_ = closeSeconds;
+void FramePlanner::deform(Shape& shape, double openSeconds, double closeSeconds) const {
+    if (shape.mesh && openSeconds == shape.openSeconds && closeSeconds == shape.closeSeconds) return;
+    shape.mesh = std::make_shared<const MotionMesh>(scene_.motionMesh(openSeconds, closeSeconds));
+    shape.texels = std::make_shared<const MeshTexels>(packMesh(*shape.mesh, scene_.materials(), origin_));
+    shape.extent = {};
+    for (const auto* positions : {&shape.mesh->positionsOpen, &shape.mesh->positionsClose})
+        for (const glm::dvec3& position : *positions) shape.extent.add(position - origin_);
+    shape.movingTriangles = countMovingTriangles(*shape.mesh);
+    shape.inner = scene_.innerMotion(openSeconds, closeSeconds);
+    shape.openSeconds = openSeconds;
+    shape.closeSeconds = closeSeconds;
 }
 
 FramePlan FramePlanner::plan(const FrameRequest& request) {
     checkRequest(request);
-    const auto [open, close] = shutterTimes(scene_, request);
-    deform(open, close);
+    const int steps = motionStepsOf(request);
+    shapes_.resize(static_cast<std::size_t>(steps));
+    std::vector<FramePlan> pieces;
+    for (int piece = 0; piece < steps; ++piece) pieces.push_back(planPiece(request, piece, steps));
+    FramePlan plan = steps == 1 ? std::move(pieces.front()) : planOfPieces(request, std::move(pieces));
+    if (const std::optional<std::string> lowered = loweredMotionSteps(request)) plan.warnings.push_back(*lowered);
+    return plan;
+}
+
+FramePlan FramePlanner::planPiece(const FrameRequest& request, int piece, int pieces) {
+    const auto [open, close] = shutterTimes(scene_, request, piece, pieces);
+    Shape& shape = shapes_[static_cast<std::size_t>(piece)];
+    deform(shape, open, close);
 
     FramePlan plan;
     plan.request = request;
     plan.origin = origin_;
-    plan.mesh = mesh_;
-    plan.texels = texels_;
-    plan.extent = extent_;
+    plan.mesh = shape.mesh;
+    plan.texels = shape.texels;
+    plan.extent = shape.extent;
     plan.materials = &scene_.materials();
     plan.images = &scene_.images();
     const ShutterEnds<LightPose> light = scene_.lightEnds(open, close);
@@ -326,7 +346,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
                                                                : planSpotMap(plan, scene_.bounds().diagonal());
 
     fillLight(plan.block, plan, exposure_);
-    const bool somethingMoves = movingTriangles_ > 0 || lightMoves(plan) || cameraMoves(plan);
+    const bool somethingMoves = shape.movingTriangles > 0 || lightMoves(plan) || cameraMoves(plan);
     fillSamples(plan.block, request, somethingMoves);
     plan.block.seed = request.seed;
     plan.block.imageSize = {request.width, request.height};
@@ -337,15 +357,16 @@ FramePlan FramePlanner::plan(const FrameRequest& request) {
 
     decideMotion(plan);
 
-    plan.motion = summarise(plan, movingTriangles_);
+    plan.motion = summarise(plan, shape.movingTriangles);
     const std::size_t seen = plan.camera.staticTriangles.count() + plan.camera.dynamicTriangles.count();
     plan.passes.push_back(
         {"sample",
          fmt::format("{}; {} triangles face away throughout, {} are never in the picture", motionWords(plan.motion),
                      plan.camera.facingAwayTriangles, plan.camera.outsideTriangles),
          seen});
-    plan.warnings = pathWarnings(scene_, plan, inner_, {open, close});
-    if (const std::optional<std::string> bent = bentPathWarning(plan)) plan.warnings.push_back(*bent);
+    plan.pathWarnings = pathWarnings(scene_, plan, shape.inner, {open, close});
+    if (const std::optional<PathWarning> bent = bentPathWarning(plan)) plan.pathWarnings.push_back(*bent);
+    for (const PathWarning& warning : plan.pathWarnings) plan.warnings.push_back(warning.text);
     return plan;
 }
 

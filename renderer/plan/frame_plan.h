@@ -11,6 +11,7 @@
 #include "plan/frame_request.h"
 #include "plan/light_motion.h"
 #include "plan/motion_classifier.h"
+#include "plan/path_warning.h"
 #include "plan/rest_pose.h"
 #include "plan/triangle_motion.h"
 #include "plan/view_plan.h"
@@ -72,7 +73,13 @@ struct FramePlan {
     StaticVersions versions;               ///< keys for caches that outlive the frame
     DynamicCasterMask reached;             ///< shadow map area of dynamic casters; empty if versions.lit is 0
     std::vector<PassDecision> passes;
+    std::vector<PathWarning> pathWarnings;  ///< also among the warnings
     std::vector<std::string> warnings;
+    /// The linear pieces of a shutter that is cut into more than one, in order; empty where it is not. Each is the plan
+    /// of its own part of the shutter, over which its u runs, with its share of the strata and the rest of the request
+    /// as it is; no cached samples. The plan itself says what holds for all: request, samples, weights, passes,
+    /// warnings, what moves; its mesh, camera and light are those of the first piece.
+    std::vector<FramePlan> pieces;
     const std::vector<Material>* materials = nullptr;  ///< owned by the scene, which must outlive the plan
     const std::vector<Image>* images = nullptr;
 };
@@ -85,21 +92,43 @@ class FramePlanner {
     FramePlan plan(const FrameRequest& request);
 
   private:
-    void deform(double openSeconds, double closeSeconds);
+    /// What the scene is between two times.
+    struct Shape {
+        double openSeconds = 0.0, closeSeconds = -1.0;
+        std::shared_ptr<const MotionMesh> mesh;
+        std::shared_ptr<const MeshTexels> texels;
+        Bounds extent;
+        std::size_t movingTriangles = 0;
+        InnerMotion inner;
+    };
+    FramePlan planPiece(const FrameRequest& request, int piece, int pieces);
+    void deform(Shape& shape, double openSeconds, double closeSeconds) const;
     void decideMotion(FramePlan& plan);
 
     const Scene& scene_;
     glm::dvec3 origin_{0.0};
     double exposure_ = 1.0;
-    double openSeconds_ = 0.0, closeSeconds_ = -1.0;
-    std::shared_ptr<const MotionMesh> mesh_;
     std::shared_ptr<const RestPose> rest_;
-    std::shared_ptr<const MeshTexels> texels_;
-    Bounds extent_;
-    std::size_t movingTriangles_ = 0;
-    InnerMotion inner_;
+    std::vector<Shape> shapes_;  ///< of the pieces of the last frame
     MotionClassifier memory_;
 };
+
+/// Into how many renders a frame falls for a technique that draws so many instants of it, or 1: those instants, or the
+/// shutter's pieces.
+int rendersOf(const FramePlan& plan, int instants);
+
+/// The plan of one of these renders.
+FramePlan renderOf(const FramePlan& plan, int render, int instants);
+
+/// The piece of which that render is: the plan itself where there is but one.
+const FramePlan& pieceOf(const FramePlan& plan, int render, int instants);
+
+/// Gives all pieces the samples of the whole: each its share of the strata, with the places and times that they have
+/// there. Of a plan without pieces nothing.
+void shareSamples(FramePlan& plan);
+
+/// The plan of a frame that is drawn in so many pieces.
+FramePlan planOfPieces(const FrameRequest& request, std::vector<FramePlan> pieces);
 
 /// The plan of render m (0 <= m < renders) of a frame that is accumulated from `renders` instants: one camera sample
 /// per pixel, all at u = (m + 1/2) / renders, at another sub-pixel position in each render, with the weight that the

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "plan/map_size.h"
 #include "scene/camera.h"
@@ -28,6 +29,9 @@ struct FrameRequest {
     std::uint32_t seed = 1;
     double frame = 0.0;  ///< number of the frame; whole numbers unless scrubbing
     Shutter shutter;
+    /// A power of two, 1 .. maximumMotionSteps: into how many equal pieces the shutter is cut, in each of which all
+    /// motion is linear. Interval samples take 1 (checked).
+    int motionSteps = 1;
     Looping looping = Looping::Auto;
     std::size_t cameraIndex = 0;
     bool forceDynamic = false;  ///< treat every triangle as dynamic, cull no unseen shadow, cache nothing
@@ -37,10 +41,18 @@ struct FrameRequest {
     std::optional<CameraPose> cameraPose;  ///< replaces the scene's camera; static during the shutter
 };
 
-/// The times at which the scene is evaluated for the request's frame.
-ShutterTimes shutterTimes(const Scene& scene, const FrameRequest& request);
+/// The times at which the scene is evaluated for the request's frame, or for one of so many pieces of its shutter.
+ShutterTimes shutterTimes(const Scene& scene, const FrameRequest& request, int piece = 0, int pieces = 1);
+
+/// The steps that the request's frame is drawn with: each piece has the same number of samples per pixel, so that they
+/// are the largest power of two up to motionSteps that divides those. 1 where the shutter does not open.
+int motionStepsOf(const FrameRequest& request);
+
+/// Where they are fewer than motionSteps for the sake of the samples: so, in one line.
+std::optional<std::string> loweredMotionSteps(const FrameRequest& request);
 
 inline constexpr int maximumSamplesPerPixel = 32;
+inline constexpr int maximumMotionSteps = maximumSamplesPerPixel;  ///< a piece has one sample per pixel at least
 inline constexpr int maximumImageSide = 16384;
 
 }  // namespace timeshade

@@ -38,10 +38,11 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
                            block_.lightPositionOpen == views.block.lightPositionOpen &&
                            block_.lightPositionClose == views.block.lightPositionClose;
     const bool sameBlock = !first && sameBytes(block_, views.block);
-    const bool samePattern = block_.seed == views.block.seed && block_.timeBase == views.block.timeBase &&
-                             block_.timeScale == views.block.timeScale && block_.imageSize == views.block.imageSize &&
-                             block_.pixelCentres == views.block.pixelCentres &&
-                             block_.positions == views.block.positions;
+    const bool samePattern =
+        block_.seed == views.block.seed && block_.timeBase == views.block.timeBase &&
+        block_.timeScale == views.block.timeScale && block_.firstStratum == views.block.firstStratum &&
+        block_.imageSize == views.block.imageSize && block_.pixelCentres == views.block.pixelCentres &&
+        block_.positions == views.block.positions;
     bool sameCasters = sameLight, sameSeen = sameCamera && samePattern;
 
     Motion now;

@@ -100,7 +100,7 @@ std::string named(const Farthest& farthest, const InnerMotion& inner, const char
     return fmt::format("{} and {} more {} {}", name, more, more == 1 ? "thing" : "things", verbOfMany);
 }
 
-void addThings(const FramePlan& plan, const InnerMotion& inner, std::vector<std::string>& warnings) {
+void addThings(const FramePlan& plan, const InnerMotion& inner, std::vector<PathWarning>& warnings) {
     Farthest bent, jumped;
     std::vector<Apart> points;
     struct Views {
@@ -129,21 +129,24 @@ void addThings(const FramePlan& plan, const InnerMotion& inner, std::vector<std:
     }
     if (!bent.things.empty()) {
         const double turn = plan.mesh->largestTurnDegrees;
-        warnings.push_back(fmt::format(
-            "{} the straight path between the shutter's ends, which is drawn, by up to {} (at u = {:.2g}){}",
-            named(bent, inner, "leaves", "leave"), bent.distance(), bent.u,
-            turn > turnWorthNaming ? fmt::format("; something turns by {:.0f} degrees", turn) : ""));
+        warnings.push_back(
+            {PathWarning::Kind::Bent, std::max(bent.pixels, bent.texels),
+             fmt::format(
+                 "{} the straight path between the shutter's ends, which is drawn, by up to {} (at u = {:.2g}){}",
+                 named(bent, inner, "leaves", "leave"), bent.distance(), bent.u,
+                 turn > turnWorthNaming ? fmt::format("; something turns by {:.0f} degrees", turn) : "")});
     }
     if (!jumped.things.empty())
         warnings.push_back(
-            fmt::format("{} inside the shutter: drawn throughout as in its middle, off by up to {} at other instants",
-                        named(jumped, inner, "jumps", "jump"), jumped.distance()));
+            {PathWarning::Kind::Jump, std::max(jumped.pixels, jumped.texels),
+             fmt::format("{} inside the shutter: drawn throughout as in its middle, off by up to {} at other instants",
+                         named(jumped, inner, "jumps", "jump"), jumped.distance())});
 }
 
 double secondsAt(const ShutterTimes& times, double u) { return times.open + u * (times.close - times.open); }
 
 void addCamera(const Scene& scene, const FramePlan& plan, const InnerMotion& inner, const ShutterTimes& times,
-               std::vector<std::string>& warnings) {
+               std::vector<PathWarning>& warnings) {
     if (plan.request.cameraPose) return;
     const double aspect = static_cast<double>(plan.request.width) / plan.request.height;
     // Measured at the distance of the scene's centre.
@@ -171,13 +174,14 @@ void addCamera(const Scene& scene, const FramePlan& plan, const InnerMotion& inn
     const bool cutsLate = glm::length(last.eye - plan.camera.close.eye) > 1e-9 * scene.bounds().diagonal() ||
                           glm::length(last.corner - plan.camera.close.corner) > 1e-9;
     warnings.push_back(
-        cuts || cutsLate
-            ? fmt::format("the camera cuts inside the shutter: drawn throughout as in its middle, off by up to {:.1f} "
-                          "pixels at other instants",
-                          pixels)
-            : fmt::format("the camera leaves the straight path between the shutter's ends, which is drawn, by up to "
-                          "{:.1f} pixels at the distance of the scene's centre",
-                          pixels));
+        {PathWarning::Kind::Camera, pixels,
+         cuts || cutsLate
+             ? fmt::format("the camera cuts inside the shutter: drawn throughout as in its middle, off by up to {:.1f} "
+                           "pixels at other instants",
+                           pixels)
+             : fmt::format("the camera leaves the straight path between the shutter's ends, which is drawn, by up to "
+                           "{:.1f} pixels at the distance of the scene's centre",
+                           pixels)});
 }
 
 /// In texels, of what the light throws anywhere within the extent of the frame.
@@ -204,22 +208,24 @@ double lightApart(const FramePlan& plan, const LightPose& actual, double u) {
 }
 
 void addLight(const Scene& scene, const FramePlan& plan, const InnerMotion& inner, const ShutterTimes& times,
-              std::vector<std::string>& warnings) {
+              std::vector<PathWarning>& warnings) {
     double texels = 0.0;
     for (const double u : inner.instants)
         texels = std::max(texels, lightApart(plan, scene.light(secondsAt(times, u)), u));
     if (texels > threshold)
-        warnings.push_back(fmt::format(
-            "the light leaves the straight path between the shutter's ends, which is drawn, by up to {:.1f} "
-            "texels of the shadow map; a jump is drawn as in the shutter's middle",
-            texels));
+        warnings.push_back(
+            {PathWarning::Kind::Light, texels,
+             fmt::format(
+                 "the light leaves the straight path between the shutter's ends, which is drawn, by up to {:.1f} "
+                 "texels of the shadow map; a jump is drawn as in the shutter's middle",
+                 texels)});
 }
 
 }  // namespace
 
-std::vector<std::string> pathWarnings(const Scene& scene, const FramePlan& plan, const InnerMotion& inner,
+std::vector<PathWarning> pathWarnings(const Scene& scene, const FramePlan& plan, const InnerMotion& inner,
                                       const ShutterTimes& times) {
-    std::vector<std::string> warnings;
+    std::vector<PathWarning> warnings;
     addThings(plan, inner, warnings);
     addCamera(scene, plan, inner, times, warnings);
     addLight(scene, plan, inner, times, warnings);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "plan/frame_plan.h"
@@ -10,7 +9,7 @@ namespace timeshade {
 /// What the motion of a frame leaves out, in one line each: things, the camera and the light that leave their straight
 /// path inside the shutter by more than half a pixel or half a texel of the shadow map, and jumps that were moved to an
 /// end of it. `inner`: of the scene at `times`, whose plan has mesh, views and light already.
-std::vector<std::string> pathWarnings(const Scene& scene, const FramePlan& plan, const InnerMotion& inner,
+std::vector<PathWarning> pathWarnings(const Scene& scene, const FramePlan& plan, const InnerMotion& inner,
                                       const ShutterTimes& times);
 
 }  // namespace timeshade

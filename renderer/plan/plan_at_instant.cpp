@@ -1,5 +1,8 @@
 // One render of a frame that is accumulated from many.
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/check.h"
 #include "plan/frame_plan.h"
 #include "shared/hash.shared.h"
@@ -26,12 +29,16 @@ float weightOf(const shared::FrameBlock& block, int m, int renders) {
 FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {
     CHECK_GE(m, 0);
     CHECK_LT(m, renders);
-    FramePlan instant = plan;
+    FramePlan instant = pieceOf(plan, m, renders);
+    const auto steps = static_cast<float>(std::max<std::size_t>(1, plan.pieces.size()));
     // Its samples differ from the frame's, so nothing cached for those may be used.
     instant.versions.samples = instant.versions.lit = 0;
-    instant.block.timeBase = instantOf(m, renders);
+    // In its piece: whole steps are a power of two, so that this is exact.
+    const float u = instantOf(m, renders) * steps;
+    instant.block.timeBase = plan.pieces.empty() ? u : u - std::min(std::floor(u), steps - 1.0f);
     instant.block.timeScale = 0.0f;
-    instant.block.strata = 1;
+    instant.block.strata = instant.block.wholeStrata = 1;
+    instant.block.firstStratum = 0;
     instant.block.seed = shared::hashWords({plan.block.seed, static_cast<std::uint32_t>(m), 0x51ed27u}).x;
     instant.block.weight = weightOf(plan.block, m, renders);
     instant.request.samplesPerPixel = 1;

@@ -18,7 +18,8 @@ namespace {
 using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
-constexpr std::array<std::string_view, 2> readExtensions{"KHR_lights_punctual", "KHR_mesh_quantization"};
+constexpr std::array<std::string_view, 3> readExtensions{"EXT_mesh_gpu_instancing", "KHR_lights_punctual",
+                                                         "KHR_mesh_quantization"};
 
 /// Extensions that change neither shapes nor motion nor what casts shadows; and the first parts of the names of whole
 /// families of such.

@@ -169,6 +169,13 @@ Node convert(const tinygltf::Node& from) {
     if (const auto light = from.extensions.find("KHR_lights_punctual");
         light != from.extensions.end() && light->second.Has("light"))
         to.light = light->second.Get("light").GetNumberAsInt();
+    if (const auto instances = from.extensions.find("EXT_mesh_gpu_instancing"); instances != from.extensions.end()) {
+        const tinygltf::Value& attributes = instances->second.Get("attributes");
+        const auto found = [&](const char* name) {
+            return attributes.Has(name) ? attributes.Get(name).GetNumberAsInt() : -1;
+        };
+        to.instancing = Instancing{found("TRANSLATION"), found("ROTATION"), found("SCALE")};
+    }
     return to;
 }
 

@@ -84,6 +84,13 @@ struct LocalTransform {
     glm::dmat4 matrix() const;
 };
 
+/// Accessors of EXT_mesh_gpu_instancing, -1 where absent.
+struct Instancing {
+    int translation = -1;
+    int rotation = -1;
+    int scale = -1;
+};
+
 struct Node {
     std::string name;
     int parent = -1;
@@ -94,6 +101,7 @@ struct Node {
     int skin = -1;
     int camera = -1;
     int light = -1;
+    std::optional<Instancing> instancing;  ///< of its mesh, until they are expanded
     std::vector<double> weights;
     bool inScene = false;  ///< reachable from the scene that is shown
 };

@@ -18,6 +18,7 @@
 #include "scene/gltf_geometry.h"
 #include "scene/gltf_images.h"
 #include "scene/gltf_instances.h"
+#include "scene/gltf_instancing.h"
 #include "scene/gltf_probes.h"
 #include "scene/gltf_views.h"
 
@@ -315,6 +316,7 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     watch({"buffers"});
     loadBuffers(model, document, files);
     validate(model);
+    expandInstances(model, options.maxTriangles);
 
     std::vector<std::string> notes = std::move(model.notes);
     auto geometries = readGeometries(model, Budget{options.maxTriangles}, notes, watch);

@@ -81,6 +81,8 @@ void checkNode(Json& node, const std::string& where) {
     check("matrix", 16);
     const nlohmann::json::json_pointer light("/extensions/KHR_lights_punctual/light");
     if (node.contains(light)) requireInteger(node[light], where + ".light");
+    const nlohmann::json::json_pointer instances("/extensions/EXT_mesh_gpu_instancing/attributes");
+    if (node.contains(instances)) requireIntegers(node[instances], where + " instances");
 }
 
 }  // namespace

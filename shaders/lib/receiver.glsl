@@ -75,7 +75,7 @@ Receiver receiverOnRay(MovingTriangle t, uint id, vec2 position, float u) {
 
 // Of a camera sample, at its own time.
 Receiver receiverOf(MovingTriangle t, uint id, uvec2 pixel, uint stratum) {
-    vec3 pattern = cameraSample(pixel, stratum, frame.seed, frame.pixelCentres);
+    vec3 pattern = cameraSample(pixel, frame.firstStratum + stratum, frame.seed, frame.pixelCentres);
     float u = sampleTime(frame.timeBase, frame.timeScale, stratum, pattern.z);
     return receiverOnRay(t, id, (vec2(pixel) + pattern.xy) / cameraView.size, u);
 }

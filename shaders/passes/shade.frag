@@ -172,19 +172,25 @@ vec3 colourOf(uvec2 pixel, uint stratum) {
 #endif
 }
 
+#ifdef SHUTTER_WEIGHTS
+// Of a sample in the whole shutter.
+float weightOf(uvec2 pixel, uint k) {
+    float xi = samplePattern(pixel, k, frame.seed, SALT_CAMERA).z;
+    float u = sampleTime(0.0, frame.wholeTimeScale, k, xi);
+    return shutterWeight(frame.response & SHUTTER_KIND, frame.responseWidth, u);
+}
+#endif
+
 void main() {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     vec3 sum = vec3(0.0);
 #ifdef SHUTTER_WEIGHTS
     float weights = 0.0;
-    for (uint stratum = 0u; stratum < frame.strata; ++stratum) {
-        float xi = samplePattern(pixel, stratum, frame.seed, SALT_CAMERA).z;
-        float u = sampleTime(frame.timeBase, frame.timeScale, stratum, xi);
-        float weight = shutterWeight(frame.response, frame.responseWidth, u);
-        sum += weight * colourOf(pixel, stratum);
-        weights += weight;
-    }
-    outputRadiance = vec4(sum / weights, 1.0) * frame.weight;
+    for (uint stratum = 0u; stratum < frame.strata; ++stratum)
+        sum += weightOf(pixel, frame.firstStratum + stratum) * colourOf(pixel, stratum);
+    // Of all pieces together: a piece adds its part of one quotient.
+    for (uint k = 0u; k < frame.wholeStrata; ++k) weights += weightOf(pixel, k);
+    outputRadiance = vec4(sum / weights, 1.0);
 #else
     for (uint stratum = 0u; stratum < frame.strata; ++stratum) sum += colourOf(pixel, stratum);
     outputRadiance = vec4(sum / float(frame.strata), 1.0) * frame.weight;

@@ -49,11 +49,11 @@ Sample sampleOf(uvec2 pixel) {
 #ifdef TIME_PATTERN
     vec3 pattern = vec3(phaseTime(texelPhase(pixel, uint(TIME_PATTERN)), uint(TIME_PATTERN)));
 #else
-    vec3 pattern = samplePattern(pixel, stratum, frame.seed, SALT_LIGHT);
+    vec3 pattern = samplePattern(pixel, frame.firstStratum + stratum, frame.seed, SALT_LIGHT);
 #endif
     pattern.xy = vec2(0.5);  // a map is sampled at its texels' centres
 #else
-    vec3 pattern = cameraSample(pixel, stratum, frame.seed, frame.pixelCentres);
+    vec3 pattern = cameraSample(pixel, frame.firstStratum + stratum, frame.seed, frame.pixelCentres);
 #endif
     float u = sampleTime(frame.timeBase, stratumLength, stratum, pattern.z);
     return Sample((vec2(pixel) + pattern.xy) / view.size, u);

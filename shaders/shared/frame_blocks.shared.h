@@ -64,6 +64,12 @@ struct FrameBlock {
     uint response;        // of the shutter, as in shutter_response.shared.h; SHUTTER_BOX where nothing moves
     float responseWidth;  // standard deviation of SHUTTER_GAUSSIAN in u; else 0
     uint positions;       // interval samples: per pixel; 0: camera samples have a time each
+    // Where the frame is a linear piece of a shutter: the strata before it in the shutter, those of the whole shutter
+    // and their length. Else 0, strata and timeScale.
+    uint firstStratum;
+    uint wholeStrata;
+    float wholeTimeScale;
+    float unused;
 };
 
 /// How vertices become what a rasteriser with a sample in space and time needs: view coordinates (X, Y, Z) that are
@@ -83,7 +89,7 @@ SHARED_END
 
 #ifdef __cplusplus
 namespace timeshade::shared {
-static_assert(sizeof(FrameBlock) == 11 * 16 + 48, "std140 layout changed: fix both readers");
+static_assert(sizeof(FrameBlock) == 11 * 16 + 64, "std140 layout changed: fix both readers");
 static_assert(sizeof(ViewBlock) == 4 * 64 + 16, "std140 layout changed: fix both readers");
 }  // namespace timeshade::shared
 #endif

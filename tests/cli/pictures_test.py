@@ -86,6 +86,22 @@ class Pictures(ProgramTest):
                 with self.subTest(technique=technique, response=response):
                     self.assertEqual(plain, self.shot("chess", "F.png", *quick, "--shutter-response", response))
 
+    def test_motion_steps(self):
+        """One step is what was there before; those that the samples cannot share are lowered, in one line."""
+        command = ("--technique", "exact", *SMALL)
+        one = self.shot("cubes", "one.png", *command)
+        self.assertEqual(one, self.shot("cubes", "same.png", *command, "--motion-steps", "1"))
+        eight = self.shot("cubes", "eight.png", *command, "--motion-steps", "8")
+        self.assertNotEqual(one, eight)
+        self.assertEqual(eight, self.shot("cubes", "again.png", *command, "--motion-steps", "8"))
+        lowered = self.run_program("shot", "cubes", "-o", "lowered.png", *command, "--motion-steps", "32")
+        self.assertEqual((lowered.returncode, lowered.stderr),
+                         (0, "timeshade: note: motion steps: 8 instead of 32, since 8 samples a pixel are shared by "
+                             "all pieces alike\n"))
+        self.assertEqual(eight, (self.folder / "lowered.png").read_bytes())
+        self.refuse(1, ("history", "expected --motion-steps 1, not 8"), "shot", "cubes", "-o", "F.png",
+                    "--technique", "history", *SMALL, "--motion-steps", "8", leaves=self.files())
+
     def test_negative_and_fractional_frames(self):
         quick = ("--size", "96x72", "--spp", "1", "--map", "64")
         self.assertNotEqual(self.shot("chess", "a.png", *quick, "--frame", "10"),

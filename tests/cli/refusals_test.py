@@ -39,6 +39,7 @@ class BadArguments(ProgramTest):
             "--shutter-response": ("triangle", "1", "Tent", ""),
             "--samples": ("both", "Intervals", "1", ""),
             "--time-strata": ("0", "-1", "33", "2.5", *numbers),
+            "--motion-steps": ("0", "3", "64", "-2", "8.0", *numbers),
             "--shutter-width": ("0", "0.04", "2.1", "-0.2", *numbers),
             "--context": ("glx", "2", "EGL", ""),
             "--view": ("wrong", "1", "Final", ""),
@@ -67,6 +68,14 @@ class BadArguments(ProgramTest):
                           ("epipolar", "crossing", "-o", "F.png"), ("view", "crossing")):
             with self.subTest(arguments=arguments):
                 self.refuse_usage(("--samples intervals", "expected strata"), *arguments, *intervals)
+
+    def test_what_takes_one_linear_motion(self):
+        steps = ("--motion-steps", "4")
+        for arguments in (("shot", "crossing", "-o", "F.png", "--samples", "intervals"),
+                          ("verify", "crossing", "--technique", "exact", "--dump", "D"),
+                          ("epipolar", "crossing", "-o", "F.png")):
+            with self.subTest(arguments=arguments):
+                self.refuse_usage(("--motion-steps 4", "one linear motion", "expected"), *arguments, *steps)
 
     def test_settings_of_techniques(self):
         for setting in ("", "=", "tsm", "tsm.bias", "tsm=1", ".bias=1", "tsm.bias=", "tsm.bias=nan", "tsm.bias=inf",

@@ -52,6 +52,7 @@ ABOUT = {
     "tests/technique/shutter_response_test.cpp": ("accumulation", "exact"),
     "tests/technique/reload_test.cpp": ("exact",),  # changes its build shader
     "tests/cli/limits_test.py": ("exact", "ranges"),  # their lists
+    "tests/technique/motion_steps_test.cpp": ("accumulation", "exact", "integral", "tsm"),
     "tests/technique/turning_light_test.cpp": ("exact",),
     "tests/verify/definition_test.py": ("exact",),
     "tests/technique/two_errors_test.cpp": ("accumulation", "tsm"),
@@ -63,7 +64,7 @@ ABOUT = {
     "tests/unit/script_text_test.cpp": ("tsm",),
     "tests/cli/kill_test.py": ("static", "tsm"),
     "tests/cli/outputs_test.py": ("accumulation",),
-    "tests/cli/pictures_test.py": ("accumulation", "history", "static", "tsm"),
+    "tests/cli/pictures_test.py": ("accumulation", "exact", "history", "static", "tsm"),
     "tests/cli/program.py": ("accumulation", "history"),
     "tests/cli/record_test.py": ("accumulation", "exact", "history", "interleaved", "ranges", "static", "temporal",
                                  "tsm"),  # the tour

@@ -97,6 +97,7 @@ PictureOptions randomState(int seed) {
     options.shutterResponse = static_cast<ShutterResponse>(dice.below(3));
     if (options.shutterResponse == ShutterResponse::Gaussian && dice.yes())
         options.shutterWidth = Shutter::leastWidth + dice.share() * (Shutter::mostWidth - Shutter::leastWidth);
+    if (dice.yes()) options.motionSteps = 1 << dice.below(6);
     if (dice.below(4) == 0) options.instant = dice.share();
     if (dice.yes()) options.camera = dice.yes() ? "knight" : "Camera of 'Ann' & \"Bob\"";
     if (dice.yes()) options.pose = randomPose(dice);
@@ -122,6 +123,7 @@ void expectSamePicture(const PictureOptions& a, const PictureOptions& b) {
     EXPECT_EQ(std::tie(a.frame, a.instant, a.framesPerSecond, a.shutterLength, a.shutterPosition),
               std::tie(b.frame, b.instant, b.framesPerSecond, b.shutterLength, b.shutterPosition));
     EXPECT_EQ(std::tie(a.shutterResponse, a.shutterWidth), std::tie(b.shutterResponse, b.shutterWidth));
+    EXPECT_EQ(a.motionSteps, b.motionSteps);
     EXPECT_EQ(std::tie(a.forceDynamic, a.noCache, a.pixelCentres, a.looping),
               std::tie(b.forceDynamic, b.noCache, b.pixelCentres, b.looping));
     EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam),

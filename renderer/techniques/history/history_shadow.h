@@ -53,6 +53,8 @@ class HistoryShadow final : public Technique {
 
     const TechniqueDescription& description() const override { return describe(); }
     void visitSettings(SettingsVisitor& visitor) override;
+    /// A shutter of more than one motion step: a pixel's past is that of a whole frame before.
+    std::optional<std::string> unsupported(const FramePlan& plan) const override;
     /// Of a frame without a past: an ordinary map at the centre of the shutter.
     Footprint footprint() const override;
     FrameRequest asked(FrameRequest request) const override;

@@ -18,13 +18,19 @@ const TechniqueDescription& HistoryShadow::describe() {
         .source = "Scherzer, Jeschke, Wimmer 2007",
         .wrong =
             "Motion: where a shadow may have changed, the past is dropped and the pixel begins again, so that fast "
-            "casters have rough shadows.",
+            "casters have rough shadows. It takes one motion step.",
         .look = "chess: let it play, then stop; edges sharpen while nothing moves.",
         .picture = "chess while the queen slides: left history with a map of 256, right ground truth.",
         .references = {"D. Scherzer, S. Jeschke, M. Wimmer 2007: Pixel-correct shadow maps with temporal reprojection "
                        "and shadow test confidence. Eurographics Symposium on Rendering."},
     };
     return description;
+}
+
+std::optional<std::string> HistoryShadow::unsupported(const FramePlan& plan) const {
+    if (plan.pieces.empty()) return std::nullopt;
+    return fmt::format("its past is that of frames with one linear motion each; expected --motion-steps 1, not {}",
+                       plan.pieces.size());
 }
 
 void HistoryShadow::visitSettings(SettingsVisitor& visitor) {

@@ -214,7 +214,8 @@ StoredAlongLine TsmShadow::storedAlong(const TechniqueFrame& frame, const MapLin
         fmt::format("one map of what stands still, and {} layers: a point is a texel at its own time", strata.count);
     if (!depth_) return stored;
     const auto timeOf = [&](glm::uvec2 texel, std::uint32_t layer) {
-        const float xi = shared::samplePattern(texel, layer, plan.block.seed, SALT_LIGHT).z;
+        const std::uint32_t k = plan.block.firstStratum + layer;
+        const float xi = shared::samplePattern(texel, k, plan.block.seed, SALT_LIGHT).z;
         return shared::sampleTime(plan.block.timeBase, strata.length, layer, xi);
     };
     addLayerMarks(plan, *depth_, line, timeOf, stored.marks);

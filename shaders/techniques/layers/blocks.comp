@@ -12,7 +12,7 @@ uniform uint strata;
 uniform float sampleLength;  // of a stratum of the map, u
 
 void storeTime(ivec3 place) {
-    float xi = samplePattern(uvec2(place.xy), uint(place.z), frame.seed, SALT_LIGHT).z;
+    float xi = samplePattern(uvec2(place.xy), frame.firstStratum + uint(place.z), frame.seed, SALT_LIGHT).z;
     imageStore(emptySamples, place, vec4(0.0, 0.0, 0.0, sampleTime(frame.timeBase, sampleLength, uint(place.z), xi)));
 }
 

@@ -22,7 +22,7 @@ bool shadowedInTexel(MapPoint m, float limit, float rate, float u) {
     float atCastersTime = limit;
     uint layer = layerAt(u, stratum);
 #ifdef DYNAMIC_BIAS
-    float xi = samplePattern(uvec2(texel), layer, frame.seed, SALT_LIGHT).z;
+    float xi = samplePattern(uvec2(texel), frame.firstStratum + layer, frame.seed, SALT_LIGHT).z;
     float later = u - sampleTime(frame.timeBase, layerLength, layer, xi);
 #ifdef BOTH_TIMES
     // Two surfaces that do not pass through each other lie in the same order at both times. A curved one that is

@@ -21,7 +21,7 @@ bool shadowedInTexel(MapPoint m, PathInView path, float u) {
     if (limitAt(path, u, texel) > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return true;
 #if defined(DYNAMIC_CASTERS) && !defined(STATIC_CASTERS_ONLY)
     uint layer = layerAt(u, stratum);
-    float xi = samplePattern(uvec2(texel), layer, frame.seed, SALT_LIGHT).z;
+    float xi = samplePattern(uvec2(texel), frame.firstStratum + layer, frame.seed, SALT_LIGHT).z;
     float castersTime = sampleTime(frame.timeBase, layerLength, layer, xi);
     if (limitAt(path, castersTime, texel) > mapDistance(texelFetch(depthMap, ivec3(texel, layer), 0).x)) return true;
 #endif
