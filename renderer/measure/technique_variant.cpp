@@ -41,6 +41,9 @@ TechniqueVariant TechniqueVariant::onItsSamples(const std::string& label) {
 
 FrameRequest TechniqueVariant::on(FrameRequest request) const {
     if (samples) request.samples = *samples;
+    if (request.samples == CameraSamples::Intervals && request.motionSteps > 1)
+        throw UsageError(fmt::format("technique {}: samples=intervals with {} motion steps, expected one", name,
+                                     request.motionSteps));
     return request;
 }
 

@@ -23,7 +23,8 @@ struct TechniqueVariant {
     /// As of(), where a series may say which camera samples it is measured on: "integral:samples=intervals". Throws
     /// UsageError for others than strata and intervals. (Elsewhere `samples` is an unknown key, for make().)
     static TechniqueVariant onItsSamples(const std::string& label);
-    /// The request on the series' own camera samples, where it says which.
+    /// The request on the series' own camera samples, where it says which. Throws UsageError for interval samples of a
+    /// shutter in pieces.
     FrameRequest on(FrameRequest request) const;
     /// With what `settings` ("tsm.bias", "0.5") say of the technique first, then its own. Throws UsageError for an
     /// unknown technique, an unknown key or a value out of range.

@@ -17,7 +17,7 @@ float ends[2 * SEGMENTS_TOGETHER];
 vec2 depths[2 * SEGMENTS_TOGETHER];  // the least and the greatest of the triangle
 int first = 0;                       // of the one that holds
 int segments;
-bool isFull;  // something found no room: the partition is of no use
+bool isFull = false;  // something found no room: the partition is of no use
 
 // What the ray meets of a triangle's plane at u: edge functions, their sum, and the depth. The same arithmetic as the
 // sample pass.

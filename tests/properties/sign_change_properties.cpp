@@ -79,7 +79,7 @@ bool changesAreThoseOfTheValues(AwkwardNumbers& numbers) {
     const std::vector<float> changes = changesOf(b, doubt);
     Coefficients<N> flipped = b;
     for (float& value : flipped) value = -value;
-    if (changesOf(flipped, doubt) != changes) return false;
+    if (numbers.oneIn(8) && changesOf(flipped, doubt) != changes) return false;
     double lastValue = 0.0, lastTime = 0.0;
     for (int i = 0; i <= 8; ++i) {
         const double u = (i + (i == 0 || i == 8 ? 0.0 : static_cast<double>(numbers.unit()) - 0.5)) / 8.0;
@@ -110,11 +110,11 @@ long failures(long count, std::uint32_t seed, const Check& check) {
 }
 
 TEST(SignChanges, OfDegreeFiveAreThoseOfItsValues) {
-    EXPECT_EQ(failures(3000000, 1, changesAreThoseOfTheValues<6>), 0);
+    EXPECT_EQ(failures(4000000, 1, changesAreThoseOfTheValues<6>), 0);
 }
 
 TEST(SignChanges, OfDegreeNineAreThoseOfItsValues) {
-    EXPECT_EQ(failures(2000000, 2, changesAreThoseOfTheValues<10>), 0);
+    EXPECT_EQ(failures(1000000, 2, changesAreThoseOfTheValues<10>), 0);
 }
 
 }  // namespace
