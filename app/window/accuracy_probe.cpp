@@ -119,7 +119,7 @@ void AccuracyProbe::beginSubject() {
     // So that every draw that counts finds its programs compiled and its caches filled.
     drawVariants(*renderer_, *planner_, *technique_, plan_->request, View::Final);
     drawWarmUp(*renderer_, *planner_, *technique_, plan_->request, View::Final);
-    oracle_.reset();
+    oracle_ = {};
     means_.emplace(static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height));
     tested_ = wrong_ = 0;
 }
@@ -127,9 +127,7 @@ void AccuracyProbe::beginSubject() {
 /// Adds the lit values of the render just drawn to the pixels' means.
 void AccuracyProbe::compareRender() {
     const FramePlan drawn = renderOf(*plan_, renderer_->rendersDone() - 1, technique_->renders());
-    if (!oracle_ || builtFor_ != drawn.mesh) oracle_ = std::make_unique<Oracle>(drawn);
-    builtFor_ = drawn.mesh;
-    const std::vector<OracleAnswer> truth = oracle_->answer(drawn, renderer_->readSampleIds());
+    const std::vector<OracleAnswer> truth = oracle_.of(drawn).answer(drawn, renderer_->readSampleIds());
     const std::vector<float> lit = renderer_->readVisibility();
     const auto pixels = static_cast<std::size_t>(request_.width) * static_cast<std::size_t>(request_.height);
     for (std::size_t i = 0; i < lit.size(); ++i) {
@@ -175,7 +173,7 @@ std::optional<ProbePoint> AccuracyProbe::draw() {
     if (technique_->footprint().isBinary() && tested_ > 0)
         point.wrongPpm = 1e6 * static_cast<double>(wrong_) / static_cast<double>(tested_);
     point.rmse = compareImages(image_, reference_->image()).rmse;
-    oracle_.reset();
+    oracle_ = {};
     subject_.reset();
     technique_.reset();  // its maps may be large, and the picture's technique has its own
     return point;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "frame/frame_renderer.h"
+#include "measure/piece_oracle.h"
 #include "measure/reference.h"
 #include "measure/reference_visibility.h"
 #include "measure/shadow_error.h"
@@ -88,8 +89,7 @@ class AccuracyProbe {
     std::vector<double> times_;  ///< of the completed draws
     LinearImage image_;          ///< of the first of them
 
-    std::unique_ptr<Oracle> oracle_;  ///< of the piece of the shutter that was drawn last
-    std::shared_ptr<const MotionMesh> builtFor_;
+    PieceOracle oracle_;
     std::optional<PixelMeans> means_;
     std::uint64_t tested_ = 0, wrong_ = 0;
     std::string failure_;

@@ -47,6 +47,11 @@ std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type)
     return values;
 }
 
+void requireSupported(const FramePlan& plan, const Technique& technique) {
+    if (const std::optional<std::string> reason = technique.unsupported(plan))
+        throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
+}
+
 /// Of what is drawn sample by sample there is no form for positions without a time.
 void requireIntervals(Technique& technique, const std::string& view) {
     const std::string& name = technique.description().name;
@@ -95,11 +100,8 @@ void FrameRenderer::resize(int width, int height, int strata) {
 }
 
 void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView) {
-    if (const std::optional<std::string> reason = technique.unsupported(plan))
-        throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
-    for (const FramePlan& piece : plan.pieces)
-        if (const std::optional<std::string> reason = technique.unsupported(piece))
-            throw Error(fmt::format("technique {} can't draw this frame: {}", technique.description().name, *reason));
+    requireSupported(plan, technique);
+    for (const FramePlan& piece : plan.pieces) requireSupported(piece, technique);
     if (plan.block.positions > 0) requireIntervals(technique, techniqueView);
     std::optional<TechniqueView> own;
     if (!techniqueView.empty()) own = viewOf(technique, techniqueView);

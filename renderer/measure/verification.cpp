@@ -131,11 +131,10 @@ bool FrameVerification::step() {
         return ++done_ == renders();
     }
     const FramePlan drawn = renderOf(plan_, done_, instants_);
-    if (!oracle_ || builtFor_ != drawn.mesh) oracle_ = std::make_unique<Oracle>(drawn);
-    builtFor_ = drawn.mesh;
+    const Oracle& oracle = oracle_.of(drawn);
     const std::vector<std::uint32_t> triangles = renderer_.readSampleIds();
-    RenderComparison comparison(*oracle_, drawn, options_, sum_, footprintError_, pixels_);
-    footprintError_.beginRender(*oracle_, drawn, done_);
+    RenderComparison comparison(oracle, drawn, options_, sum_, footprintError_, pixels_);
+    footprintError_.beginRender(oracle, drawn, done_);
     comparison.compareLit(triangles, renderer_.readVisibility(), instants_ > 1 ? done_ : 0);
     footprintError_.finishRender();
     if (options_.checkPrimaries) comparison.comparePrimaries(triangles);

@@ -9,8 +9,8 @@
 
 #include "frame/frame_renderer.h"
 #include "measure/footprint_error.h"
+#include "measure/piece_oracle.h"
 #include "measure/shadow_error.h"
-#include "oracle/oracle.h"
 
 namespace timeshade {
 
@@ -92,9 +92,8 @@ class FrameVerification {
     FrameRenderer& renderer_;
     FramePlan plan_;
     VerificationOptions options_;
-    int instants_;                    ///< that the technique draws of the frame
-    std::unique_ptr<Oracle> oracle_;  ///< of the piece of the shutter that is being compared
-    std::shared_ptr<const MotionMesh> builtFor_;
+    int instants_;  ///< that the technique draws of the frame
+    PieceOracle oracle_;
     Verification sum_;
     FootprintErrorSum footprintError_;
     PixelMeans pixels_;

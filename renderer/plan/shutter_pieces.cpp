@@ -68,18 +68,19 @@ void shareWarnings(FramePlan& whole) {
     for (const PathWarning& warning : whole.pathWarnings) whole.warnings.push_back(warning.text);
 }
 
-}  // namespace
-
-int motionStepsOf(const FrameRequest& request) {
-    if (request.shutter.length == 0.0) return 1;
+/// The largest power of two up to the request's steps that divides its samples.
+int stepsThatDivide(const FrameRequest& request) {
     int steps = request.motionSteps;
     while (request.samplesPerPixel % steps != 0) steps /= 2;
     return steps;
 }
 
+}  // namespace
+
+int motionStepsOf(const FrameRequest& request) { return request.shutter.length == 0.0 ? 1 : stepsThatDivide(request); }
+
 std::optional<std::string> loweredMotionSteps(const FrameRequest& request) {
-    int divisor = request.motionSteps;
-    while (request.samplesPerPixel % divisor != 0) divisor /= 2;
+    const int divisor = stepsThatDivide(request);
     if (divisor == request.motionSteps) return std::nullopt;
     return fmt::format("motion steps: {} instead of {}, since {} samples a pixel are shared by all pieces alike",
                        divisor, request.motionSteps, request.samplesPerPixel);

@@ -34,6 +34,13 @@ vec2 depthsOf(ViewPath v) {
 }
 
 vec3 leastAbove(vec3 times, float u) { return mix(vec3(1.0), times, greaterThan(times, vec3(u))); }
+vec4 leastAbove(vec4 times, float u) { return mix(vec4(1.0), times, greaterThan(times, vec4(u))); }
+
+// The next after u; 1 where there is none.
+float nextChange(QuinticChanges c, float u) {
+    vec3 next = min(leastAbove(c.first, u), leastAbove(vec3(c.second, 2.0), u));
+    return min(min(next.x, next.y), min(next.z, 1.0));
+}
 
 #ifndef CAMERA_TURNS
 // Not where it is proven to be seen at no time between u0 and u1.
@@ -50,7 +57,6 @@ struct EdgeChanges {
     vec3 atNearPlane;
 };
 
-// The next after u; 1 where there is none.
 float nextChange(EdgeChanges c, float u) {
     vec3 next = min(min(leastAbove(c.first, u), leastAbove(c.second, u)), leastAbove(c.atNearPlane, u));
     return min(min(next.x, next.y), min(next.z, 1.0));
@@ -79,11 +85,6 @@ EdgeChanges edgeChanges(vec2 place, SeenTriangle t) {
 }
 
 #define OrderChanges QuinticChanges
-
-float nextChange(OrderChanges c, float u) {
-    vec3 next = min(leastAbove(c.first, u), leastAbove(vec3(c.second, 2.0), u));
-    return min(min(next.x, next.y), min(next.z, 1.0));
-}
 
 // Those between u0 and u1, and maybe others. `isFirst`: a stands before b in the mesh; the same times are found of the
 // two in either order.
@@ -119,20 +120,14 @@ struct EdgeChanges {
 };
 #define OrderChanges NonicChanges
 
-float nextChange(QuinticChanges c, float u) {
-    vec3 next = min(leastAbove(c.first, u), leastAbove(vec3(c.second, 2.0), u));
-    return min(min(next.x, next.y), min(next.z, 1.0));
-}
-
 float nextChange(EdgeChanges c, float u) {
     return min(min(nextChange(c.edge0, u), nextChange(c.edge1, u)),
                min(nextChange(c.edge2, u), nextChange(c.atNearPlane, u)));
 }
 
 float nextChange(NonicChanges c, float u) {
-    vec4 next = min(mix(vec4(1.0), c.first, greaterThan(c.first, vec4(u))),
-                    mix(vec4(1.0), c.second, greaterThan(c.second, vec4(u))));
-    return min(min(min(next.x, next.y), min(next.z, next.w)), min(c.last > u ? c.last : 1.0, 1.0));
+    vec4 next = min(min(leastAbove(c.first, u), leastAbove(c.second, u)), leastAbove(vec4(c.last), u));
+    return min(min(next.x, next.y), min(min(next.z, next.w), 1.0));
 }
 
 EdgeChanges edgeChanges(vec2 place, SeenTriangle t) {

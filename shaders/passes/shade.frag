@@ -92,30 +92,38 @@ vec3 lightArriving(vec3 toLight, float u) {
     return frame.lightIntensity.rgb * (cone * cone / squared);
 }
 
-vec3 shade(Receiver r, uint material, float lit) {
+// Shading at one time: without the light, and what comes from it if nothing is between.
+struct Shaded {
+    vec3 unlit, arriving, reflected;
+};
+
+Shaded shadedAt(Receiver r, uint material, bool needsLight) {
     Surface s = surfaceOf(r, material);
     vec3 toLight = towardsLight(r.position, r.time);
     vec3 eye = mix(frame.cameraPositionOpen.xyz, frame.cameraPositionClose.xyz, r.time);
     vec3 toEye = normalize(eye - r.position);
     vec3 ambient = mix(frame.ambientGround.rgb, frame.ambientSky.rgb, 0.5 + 0.5 * s.normal.y);
-    vec3 radiance = s.emissive + ambient * mix(s.baseColor, vec3(0.04), 0.2);
-    if (lit > 0.0) radiance += lit * lightArriving(toLight, r.time) * reflected(s, normalize(toLight), toEye);
-    return radiance;
+    Shaded shaded;
+    shaded.unlit = s.emissive + ambient * mix(s.baseColor, vec3(0.04), 0.2);
+    shaded.arriving = shaded.reflected = vec3(0.0);
+    if (needsLight) {
+        shaded.arriving = lightArriving(toLight, r.time);
+        shaded.reflected = reflected(s, normalize(toLight), toEye);
+    }
+    return shaded;
+}
+
+vec3 shade(Receiver r, uint material, float lit) {
+    Shaded s = shadedAt(r, material, lit > 0.0);
+    return s.unlit + lit * s.arriving * s.reflected;
 }
 
 #ifdef INTERVAL_SAMPLES
-// Shading at one time, with the light and without.
-struct Shaded {
-    vec3 unlit, direct;
-};
-
 Shaded shadedAt(MovingTriangle t, SeenPart part, float share) {
-    Receiver r = receiverOnRay(t, part.triangle, part.place, mix(part.begin, part.end, share));
-    Shaded s;
-    s.unlit = shade(r, t.material, 0.0);
-    s.direct = shade(r, t.material, 1.0) - s.unlit;
-    return s;
+    return shadedAt(receiverOnRay(t, part.triangle, part.place, mix(part.begin, part.end, share)), t.material, true);
 }
+
+vec3 directOf(Shaded s) { return s.arriving * s.reflected; }
 
 // The mean of shading times visibility over a part. Shading is taken for quadratic in time, through the three nodes of
 // Gauss and Legendre: what is lit early and what is lit late count as they are shaded then.
@@ -124,8 +132,8 @@ vec3 meanOver(MovingTriangle t, SeenPart part, vec4 value) {
     Shaded first = shadedAt(t, part, 0.5 - node), middle = shadedAt(t, part, 0.5), last = shadedAt(t, part, 0.5 + node);
     vec3 unlit = (5.0 * (first.unlit + last.unlit) + 8.0 * middle.unlit) / 18.0;
     float mean = (value.z - 0.5) / node, square = max(value.w - value.z + 0.25, 0.0) / (node * node);
-    vec3 direct = 0.5 * (square - mean) * first.direct + (1.0 - square) * middle.direct +
-                  0.5 * (square + mean) * last.direct;
+    vec3 direct = 0.5 * (square - mean) * directOf(first) + (1.0 - square) * directOf(middle) +
+                  0.5 * (square + mean) * directOf(last);
     return unlit + value.x * value.y * max(direct, vec3(0.0));
 }
 

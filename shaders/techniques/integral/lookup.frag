@@ -120,18 +120,6 @@ float exposureUntil(ReceiverSegment s, float tick) {
     return floor(clamp(until / whole, 0.0, 1.0) * TICKS + 0.5);
 }
 
-// Of the part of a union between two ticks.
-float exposureOf(ReceiverSegment s, TimeUnion u, float from, float to) {
-    if (frame.response == SHUTTER_BOX && from <= 0.0 && to >= TICKS) return u.covered;
-    float sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        float a = max(u.begin0[i], from), b = min(u.end0[i], to), c = max(u.begin1[i], from), d = min(u.end1[i], to);
-        if (a < b) sum += exposureUntil(s, b) - exposureUntil(s, a);
-        if (c < d) sum += exposureUntil(s, d) - exposureUntil(s, c);
-    }
-    return sum;
-}
-
 // An exposure, and the integrals over it of the time and of its square, as shares of the segment.
 vec3 momentsOf(ReceiverSegment s, float begin, float end) {
     float exposure = max(exposureUntil(s, end) - exposureUntil(s, begin), 0.0);
@@ -147,6 +135,12 @@ vec3 momentsOf(ReceiverSegment s, TimeUnion u, float from, float to) {
         if (c < d) sum += momentsOf(s, c, d);
     }
     return sum;
+}
+
+// Of the part of a union between two ticks.
+float exposureOf(ReceiverSegment s, TimeUnion u, float from, float to) {
+    if (frame.response == SHUTTER_BOX && from <= 0.0 && to >= TICKS) return u.covered;
+    return momentsOf(s, u, from, to).x;
 }
 
 // The exposure during which the receiver sees the light (x), and that during which it is tested (y), as shares of the
