@@ -108,6 +108,17 @@ std::string countedInWords(const Technique& technique) {
     return text;
 }
 
+std::string countedOfPositions(const FrameRenderer& renderer) {
+    if (!renderer.hasIntervalSamples()) return "";
+    const FrameRequest& request = renderer.plan().request;
+    const double positions = static_cast<double>(request.width) * request.height * request.samplesPerPixel;
+    const GpuMemory memory = renderer.memory();
+    return fmt::format("counted         positions: {} with {} parts, {:.1f} bytes each\n",
+                       inWords({"", positions, "", ""}),
+                       inWords({"", static_cast<double>(renderer.partCount()), "", ""}),
+                       static_cast<double>(memory.samples + memory.visibility) / positions);
+}
+
 std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& sceneName,
                      const Scene& scene, const std::string& backEnd, const std::vector<gl::PassTimer::Reading>& times) {
     const FrameRequest& request = renderer.plan().request;
@@ -132,6 +143,7 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
     if (request.samples == CameraSamples::Intervals) {
         json["samples"] = "intervals";
         json["time_strata"] = request.timeStrata;
+        json["parts"] = renderer.partCount();
     }
     json["size"] = {request.width, request.height};
     json["map"] = asJson(request.mapSize);

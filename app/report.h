@@ -25,6 +25,8 @@ std::string explain(const FramePlan& plan, const Technique& technique, const gl:
 /// What the technique counted in the frame drawn last, a line each, with what it means where that is not right; empty
 /// if it counted nothing.
 std::string countedInWords(const Technique& technique);
+/// Of interval samples: positions, parts, and the bytes a position takes, samples and visibility; empty of others.
+std::string countedOfPositions(const FrameRenderer& renderer);
 
 /// "12,345", "0.25", with the unit.
 std::string inWords(const TechniqueStatistic& figure);

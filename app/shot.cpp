@@ -125,7 +125,7 @@ int runShot(const ShotOptions& options) {
             diagnostic = drawDiagnostic(renderer, plan, *technique, options.diagnostic);
         const auto times = renderer.timer().finishFrame();
         opengl.requireSilence();
-        if (options.explain && i == 0) fmt::print("{}", countedInWords(*technique));
+        if (options.explain && i == 0) fmt::print("{}{}", countedOfPositions(renderer), countedInWords(*technique));
         if (diagnostic)
             writePng(path, *diagnostic);
         else

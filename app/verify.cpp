@@ -123,7 +123,7 @@ int runVerify(const VerifyOptions& options) {
         verification = verifyFrame(renderer, plan, *technique, how);
     }
     opengl.requireSilence();
-    if (options.explain) fmt::print("{}", countedInWords(*technique));
+    if (options.explain) fmt::print("{}{}", countedOfPositions(renderer), countedInWords(*technique));
     if (dump) dump->finish();
     const std::string json = asJson(verification, renderer, *technique, options.scene, *scene, opengl.backEnd());
     if (options.json == "-")

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "panels/panels.h"
 #include "panels/theme.h"
 
@@ -52,6 +54,44 @@ void drawRow(const PixelProbe::Row& row, Widgets& widgets) {
     ImGui::TextUnformatted(row.title.c_str());
 }
 
+/// Of a triangle's number: neighbours differ.
+ImU32 colorOf(std::uint32_t triangle) {
+    ImVec4 color(0.0f, 0.0f, 0.0f, 1.0f);
+    const float turns = 0.618034f * static_cast<float>(triangle % 4096);
+    ImGui::ColorConvertHSVtoRGB(turns - std::floor(turns), 0.55f, 0.9f, color.x, color.y, color.z);
+    return ImGui::GetColorU32(color);
+}
+
+/// What the pixel's centre sees over the shutter, a colour a triangle, above how much of each segment is lit.
+void drawSegments(const std::vector<LitSegment>& segments, Widgets& widgets) {
+    const float unit = widgets.scale(), width = stripWidth * unit, middle = (valueHeight + 1.0f) * unit;
+    const float height = middle + truthHeight * unit;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({corner.x - 1.0f, corner.y - 1.0f}, {corner.x + width + 1.0f, corner.y + height + 1.0f},
+                       IM_COL32(58, 64, 84, 255));
+    ImGui::Dummy({width, height});
+    const float at = (ImGui::GetMousePos().x - corner.x) / width;
+    std::vector<std::array<double, 4>> values;
+    for (const LitSegment& segment : segments) {
+        const auto [triangle, u0, u1] = segment.seen;
+        const double lit = segment.tested > 0.0 ? segment.lit / segment.tested : -1.0;
+        values.push_back({triangle == NO_TRIANGLE ? -1.0 : static_cast<double>(triangle), u0, u1, lit});
+        if (triangle == NO_TRIANGLE) continue;
+        const float left = corner.x + width * static_cast<float>(u0), right = corner.x + width * static_cast<float>(u1);
+        list.AddRectFilled({left, corner.y}, {right, corner.y + valueHeight * unit}, colorOf(triangle));
+        const auto grey = static_cast<int>(std::lround(255.0 * std::clamp(lit, 0.0, 1.0)));
+        if (lit >= 0.0)
+            list.AddRectFilled({left, corner.y + middle}, {right, corner.y + height}, IM_COL32(grey, grey, grey, 255));
+        if (ImGui::IsItemHovered() && static_cast<double>(at) >= u0 && static_cast<double>(at) < u1)
+            ImGui::SetTooltip("u %.4f to %.4f: triangle %u, %s", u0, u1, triangle,
+                              lit >= 0.0 ? fmt::format("lit {:.3f}", lit).c_str() : "away from the light");
+    }
+    widgets.dump().lastItem("seen.segments", values);
+    ImGui::SameLine();
+    ImGui::Text("%zu segment%s", segments.size(), segments.size() == 1 ? "" : "s");
+}
+
 }  // namespace
 
 void drawProbe(Session& session, Widgets& widgets, const Area& picture) {
@@ -78,6 +118,10 @@ void drawProbe(Session& session, Widgets& widgets, const Area& picture) {
         ImGui::EndGroup();
         ImGui::SameLine();
         ImGui::BeginGroup();
+        if (!probe.segments().empty()) {
+            ImGui::TextColored(theme::quiet, "Seen at the pixel's centre, above how much of it is lit");
+            drawSegments(probe.segments(), widgets);
+        }
         ImGui::TextColored(theme::quiet, "Lit over the shutter, above ground truth");
         for (const PixelProbe::Row& row : probe.rows()) drawRow(row, widgets);
         if (!probe.caption().empty()) ImGui::TextColored(theme::warning, "%s", probe.caption().c_str());

@@ -53,6 +53,7 @@ void PixelProbe::pick(int x, int y) {
 void PixelProbe::clear() {
     on_ = complete_ = false;
     rows_.clear();
+    segments_.clear();
     samples_.clear();
     oracle_.reset();
     others_.clear();
@@ -96,6 +97,7 @@ void PixelProbe::begin(Session& session) {
     of_ = session.driver.begun();
     complete_ = false;
     rows_.clear();
+    segments_.clear();
     samples_.clear();
     oracle_.reset();
     upload(square_, squareAround(session.renderer.readPicture(), x_, y_, side));
@@ -120,7 +122,14 @@ void PixelProbe::begin(Session& session) {
     caption_ = "Computing the ground truth...";
 }
 
+/// For a position without a time, from the oracle of interval samples.
+void PixelProbe::solveSegments(const FramePlan& plan) {
+    const glm::vec2 centre(static_cast<float>(x_) + 0.5f, static_cast<float>(plan.request.height - 1 - y_) + 0.5f);
+    segments_ = SegmentOracle(plan).litByAll(plan, std::span(&centre, 1)).front();
+}
+
 void PixelProbe::evaluateNext(Session& session) {
+    if (segments_.empty()) return solveSegments(session.renderer.plan());
     if (rows_.empty() && session.renderer.renders() == 1) {
         addRow(session.renderer.plan(), session.renderer, session.technique.current());
         return announceNext();

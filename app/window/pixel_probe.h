@@ -8,6 +8,7 @@
 #include "frame/frame_renderer.h"
 #include "gl/texture.h"
 #include "oracle/oracle.h"
+#include "oracle/segment_oracle.h"
 #include "window/probe_bars.h"
 
 namespace timeshade {
@@ -44,6 +45,8 @@ class PixelProbe {
     /// The square around the pixel, first row uppermost; null until it has been read.
     const gl::Texture* square() const { return square_ ? &*square_ : nullptr; }
     const std::vector<Row>& rows() const { return rows_; }
+    /// What the pixel's centre sees over the shutter, and how much of it is lit; empty until it has been solved.
+    const std::vector<LitSegment>& segments() const { return segments_; }
     bool complete() const { return complete_; }
     /// What is being evaluated; or why something can't be.
     const std::string& caption() const { return caption_; }
@@ -57,6 +60,7 @@ class PixelProbe {
     };
 
     void begin(Session& session);
+    void solveSegments(const FramePlan& plan);
     void evaluateNext(Session& session);
     void drawOther(Session& session, Technique& technique);
     void announceNext();
@@ -76,6 +80,7 @@ class PixelProbe {
     std::vector<Sample> samples_;
     std::optional<gl::Texture> square_;
     std::vector<Row> rows_;
+    std::vector<LitSegment> segments_;
     std::string caption_;
 };
 

@@ -312,6 +312,10 @@ GpuMemory FrameRenderer::memory() const {
     memory.mesh = mesh_.bytes();
     memory.samples = samplePass_.bytes() + caches_.bytes("samples: ") + (samples_ ? samples_->bytes() : 0);
     memory.visibility = (visibility_ ? visibility_->bytes() : 0) + caches_.bytes("lookup: ");
+    if (hasIntervalSamples()) {
+        memory.samples += intervals_.bytes() + caches_.bytes("interval samples: ");
+        memory.visibility += partLookup_.bytes();
+    }
     memory.technique = techniqueBytes_;
     memory.picture =
         (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);

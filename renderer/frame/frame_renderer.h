@@ -77,6 +77,8 @@ class FrameRenderer {
     /// Row by row from the bottom, pixel by pixel, position by position, ascending in time.
     std::vector<PartValue> readParts() const;
     bool hasIntervalSamples() const { return render_ && render_->block.positions > 0; }
+    /// How many they are.
+    std::size_t partCount() const { return hasIntervalSamples() ? intervals_.partCount() : 0; }
     /// Triangle of every camera sample of the last render, same order.
     std::vector<std::uint32_t> readSampleIds() const;
 

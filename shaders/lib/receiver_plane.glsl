@@ -24,8 +24,8 @@ PathInView pathInView(MovingTriangle t, vec3 barycentrics) {
                       v.open1 - v.open0, v.close1 - v.close0, v.open2 - v.open0, v.close2 - v.close0);
 }
 
-PlaneInView planeInView(PathInView path, float u) {
-    vec3 v = mix(path.open, path.close, u);
+// Of the triangle at time u, moved to where `v` lies in it.
+PlaneInView planeThrough(PathInView path, vec3 v, float u) {
     PlaneInView p;
     p.depth = v.z;
     p.normal = cross(mix(path.edge1Open, path.edge1Close, u), mix(path.edge2Open, path.edge2Close, u));
@@ -38,6 +38,8 @@ PlaneInView planeInView(PathInView path, float u) {
 #endif
     return p;
 }
+
+PlaneInView planeInView(PathInView path, float u) { return planeThrough(path, mix(path.open, path.close, u), u); }
 
 // Where the line from the light through a map position meets the plane. One that falls away from the light by more than
 // 32 texels within one is held there, as depthBias holds it: it may not be met at all. What is nearer is not held: what

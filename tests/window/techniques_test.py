@@ -213,6 +213,11 @@ class Magnifier(WindowTest):
             self.assertEqual([int(8 * value[0]) for value in rows[name]], list(range(8)))
             self.assertEqual([value[0] for value in rows[name]], [value[1] for value in rows[name]])
             self.assertEqual([value[3] for value in rows[name]], truth)
+        segments = window.dump()["widgets"]["seen.segments"]["value"]
+        self.assertEqual([segments[0][1], segments[-1][2]], [0, 1])
+        self.assertTrue(all(a[2] == b[1] and a[0] != b[0] for a, b in zip(segments, segments[1:])), segments)
+        lit = sum((end - begin) * lit for _, begin, end, lit in segments)
+        self.assertLess(abs(lit - sum(truth) / len(truth)), 0.35, "a pixel's centre against eight of its samples")
         window.key("m")
         window.wait_state(probe=[False, False])
         self.close(window)

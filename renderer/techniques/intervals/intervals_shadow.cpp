@@ -60,6 +60,10 @@ void IntervalsShadow::visitSettings(SettingsVisitor& visitor) {
                   "As published only: into how many intervals of equal length one of a triangle that turns is cut.");
     visitor.number("published_bias", publishedBias_, 4.0, 0.0, 64.0, "texels",
                    "As published only, in place of bias. The thesis has one and gives no value.");
+    visitor.whole("points_per_texel", pointsPerTexel_, 2, 1, 16, "points",
+                  "As published, on interval samples: at how many points per texel of its way a receiver that moves on "
+                  "the map is tested.");
+    visitor.whole("least_points", leastPoints_, 5, 1, 256, "points", "The same: at how many points at least.");
 }
 
 Footprint IntervalsShadow::footprint() const {
@@ -114,6 +118,12 @@ std::vector<PassDecision> IntervalsShadow::passes(const FramePlan& plan) const {
     else if (visibleOnly_ && !motion.dynamicCasters.empty())
         passes.push_back({"build/arrange", "what the light does not see is left out of the lists", 0});
     std::string lookup = "each camera sample against the intervals of its texel that hold its time";
+    if (plan.request.samples == CameraSamples::Intervals)
+        lookup = asPublished_ ? fmt::format(
+                                    "each segment against the intervals of its texel; one that crosses texels "
+                                    "at {} points per texel, at least {}",
+                                    pointsPerTexel_, leastPoints_)
+                              : "each segment, texel by texel, against the intervals there";
     if (!motion.nearPlane.empty())
         lookup +=
             fmt::format("; against {} triangles that cross the light's near plane one by one", motion.nearPlane.size());
@@ -223,6 +233,7 @@ std::vector<TechniqueStatistic> IntervalsShadow::statistics() const {
                               counts.bentParts > 0 ? "their distances are further off than depth_error" : ""});
     const std::size_t mapBytes = staticMap_ ? staticMap_->bytes() : 0;
     statistics.push_back({"memory", number(bytes() + mapBytes), "bytes", ""});
+    statistics.push_back({"memory per texel", number(bytes() + mapBytes) / mapTexels_, "bytes", ""});
     statistics.push_back(
         {"memory predicted", number(counts.usedBytes + mapBytes + near_.count() * sizeof(std::uint32_t)), "bytes", ""});
     return statistics;

@@ -13,10 +13,10 @@ namespace timeshade {
 /// Analytical motion blurred shadows (Palmér 2011, after Gribel, Doggett and Akenine-Möller 2010): a map of intervals
 /// (IntervalMap), each the time during which one triangle covers a texel's centre. A camera sample has one time; its
 /// receiver is in shadow if an interval of its texel, of another triangle than its own, holds that time and is nearer.
-/// No time is sampled for the map. By default repaired: what stands still is in an ordinary map; lists hold what the
-/// light sees, as many intervals as there are; distances are within a stated bound; the plane of the receiver's
-/// triangle is tested at the texel's centre. Either way, triangles that cross the light's near plane are tested one by
-/// one.
+/// No time is sampled for the map; on interval samples none for the receiver. By default repaired: what stands still is
+/// in an ordinary map; lists hold what the light sees, as many intervals as there are; distances are within a stated
+/// bound; the plane of the receiver's triangle is tested at the texel's centre. Either way, triangles that cross the
+/// light's near plane are tested one by one.
 class IntervalsShadow final : public Technique {
   public:
     static const TechniqueDescription& describe();
@@ -28,6 +28,7 @@ class IntervalsShadow final : public Technique {
     SamplingTraits samplingTraits() const override;
     std::shared_ptr<const Prediction> prediction() const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
+    bool solvesIntervals() const override { return true; }
     bool separatesStaticCasters() const override { return !asPublished_; }
     void build(const TechniqueFrame& frame) override;
     LookupProgram lookupProgram(const TechniqueFrame& frame, Casters casters) override;
@@ -48,7 +49,7 @@ class IntervalsShadow final : public Technique {
 
     gl::ProgramCache& programs_;
     float bias_{}, publishedBias_{}, depthError_{};
-    int capacity_{}, depthPieces_{};
+    int capacity_{}, depthPieces_{}, pointsPerTexel_{}, leastPoints_{};
     bool asPublished_{}, bilinear_{}, visibleOnly_{};
 
     bool builtAsPublished_ = false;

@@ -7,9 +7,8 @@
 // STATIC_CASTERS_TRAVEL: as in lib/candidate_lists.glsl.
 #include "lib/candidate_lists.glsl"
 #include "lib/lookup.glsl"
-#include "lib/only_if.glsl"
-#include "shared/shutter_response.shared.h"
-#include "techniques/integral/cells.glsl"
+#include "lib/map_way.glsl"
+#include "lib/segment_exposure.glsl"
 
 float solved = 0.0;  // candidates of this sample, once for each piece of its way
 float doubt = 0.0;   // ticks, whole
@@ -25,12 +24,16 @@ bool isSettled(TimeUnion dark, vec2 wanted) {
 #endif
 }
 
-MotionPiece motionPiece(ReceiverSegment s, VertexMotion v, float begin, float end) {
-    float u0 = timeOf(s, begin), u1 = timeOf(s, end);
-    vec3 from = mix(s.open, s.close, begin / TICKS), to = mix(s.open, s.close, end / TICKS);
-    SeenVertices open = seenVertices(v, from, u0), close = seenVertices(v, to, u1);
-    return MotionPiece(mix(s.toOpen, s.toClose, begin / TICKS), mix(s.toOpen, s.toClose, end / TICKS), open.v0, open.v1,
-                       open.v2, close.v0, close.v1, close.v2, s.clearance);
+// What candidates' bounds are compared with.
+uint boxOf(CellPiece p, float side) {
+    vec2 a = onMap(p.open) * side, b = onMap(p.close) * side;
+    vec2 low = min(a, b), high = max(a, b);
+#ifdef LIGHT_ORTHOGRAPHIC
+    low = min(low, p.middle.xy * side);
+    high = max(high, p.middle.xy * side);
+#endif
+    ivec2 cell = clamp(p.cell, ivec2(0), ivec2(side) - 1);
+    return packReceiverBox(low - vec2(cell), high - vec2(cell), depthStep(max(p.open.z, p.close.z), leastDepth()));
 }
 
 // The union with the shadows of the candidates of one cell.
@@ -80,7 +83,7 @@ TimeUnion withLists(TimeUnion dark, ReceiverSegment s, vec2 wanted, usamplerBuff
         --left;
         float closes = (float(bucket + 1u) / float(bucketCount) - s.u0) / max(s.u1 - s.u0, 1e-12) * TICKS;
         float end = bucket + 1u < bucketCount ? clamp(floor(closes + 0.5), begin, s.last) : s.last;
-        CellPiece p = pieceIn(s, cell, begin, end, float(side));
+        CellPiece p = pieceIn(s, cell, vec2(cell) / float(side), vec2(cell + 1) / float(side), begin, end);
         if (p.end > max(p.begin, wanted.x)) {
             ivec2 inside = clamp(cell, ivec2(0), ivec2(side) - 1);
             ivec2 span = listSpan(offsets, int((bucket * side + uint(inside.y)) * side) + inside.x);
@@ -96,11 +99,7 @@ TimeUnion withLists(TimeUnion dark, ReceiverSegment s, vec2 wanted, usamplerBuff
 TimeUnion darkTimes(ReceiverSegment s, vec2 wanted) {
     TimeUnion dark = emptyTimeUnion();
     ONLY_IF(s.untested.covered > 0.0) {
-        TimeUnion away = s.untested;
-        for (int i = 0; i < 4; ++i) {
-            dark = withInterval(dark, max(away.begin0[i], wanted.x), min(away.end0[i], wanted.y));
-            dark = withInterval(dark, max(away.begin1[i], wanted.x), min(away.end1[i], wanted.y));
-        }
+        dark = withUnion(dark, s.untested, wanted.x, wanted.y);
     }
 #ifdef DYNAMIC_TRIANGLES
     dark = withLists(dark, s, wanted, dynamicOffsets, dynamicCandidates, dynamicSide, buckets, true);
@@ -109,38 +108,6 @@ TimeUnion darkTimes(ReceiverSegment s, vec2 wanted) {
     dark = withLists(dark, s, wanted, staticOffsets, staticCandidates, staticSide, 1u, staticCastersTravel);
 #endif
     return dark;
-}
-
-// The exposure from the segment's begin until a tick; whole numbers, so that sums are exact.
-float exposureUntil(ReceiverSegment s, float tick) {
-    if (frame.response == SHUTTER_BOX || s.u1 <= s.u0) return tick;
-    float begin = shutterExposure(frame.response, frame.responseWidth, s.u0);
-    float whole = shutterExposure(frame.response, frame.responseWidth, s.u1) - begin;
-    float until = shutterExposure(frame.response, frame.responseWidth, timeOf(s, tick)) - begin;
-    return floor(clamp(until / whole, 0.0, 1.0) * TICKS + 0.5);
-}
-
-// An exposure, and the integrals over it of the time and of its square, as shares of the segment.
-vec3 momentsOf(ReceiverSegment s, float begin, float end) {
-    float exposure = max(exposureUntil(s, end) - exposureUntil(s, begin), 0.0);
-    float middle = 0.5 * (begin + end) / TICKS, length = (end - begin) / TICKS;
-    return exposure * vec3(1.0, middle, middle * middle + length * length / 12.0);
-}
-
-vec3 momentsOf(ReceiverSegment s, TimeUnion u, float from, float to) {
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < 4; ++i) {
-        float a = max(u.begin0[i], from), b = min(u.end0[i], to), c = max(u.begin1[i], from), d = min(u.end1[i], to);
-        if (a < b) sum += momentsOf(s, a, b);
-        if (c < d) sum += momentsOf(s, c, d);
-    }
-    return sum;
-}
-
-// Of the part of a union between two ticks.
-float exposureOf(ReceiverSegment s, TimeUnion u, float from, float to) {
-    if (frame.response == SHUTTER_BOX && from <= 0.0 && to >= TICKS) return u.covered;
-    return momentsOf(s, u, from, to).x;
 }
 
 // The exposure during which the receiver sees the light (x), and that during which it is tested (y), as shares of the
@@ -179,32 +146,17 @@ float litOver(MovingTriangle t, Receiver r, float u0, float u1) {
 }
 
 #ifdef SOLVES_INTERVALS
-float exposureUntil(float u) { return shutterExposure(frame.response, frame.responseWidth, u); }
-
-// Of a segment that is a part of another, from `begin` to `end` of it: moments as of the other.
-vec4 asPart(vec4 e, float begin, float end) {
-    float length = end - begin;
-    e.w = begin * begin * e.x + 2.0 * begin * length * e.z + length * length * e.w;
-    e.z = begin * e.x + length * e.z;
-    return e;
+// Width of a pixel at a place, in world units.
+float pixelWidthAt(vec3 place, float u) {
+    vec3 view = inCameraAt(place, place, u);
+    mat4 m = cameraView.viewFromWorldOpen;
+    vec3 change = vec3(m[0].x, m[1].x, m[2].x) - view.x / view.z * vec3(m[0].z, m[1].z, m[2].z);
+    return abs(view.z) / (length(change) * cameraView.size.x);
 }
 
-vec4 litAlong(MovingTriangle t, uint id, vec2 position, float u0, float u1) {
-    Receiver open = receiverOnRay(t, id, position, u0), last = receiverOnRay(t, id, position, u1);
-    int chords = chordsOf(t, open, last, position);
-    float whole = exposureUntil(u1) - exposureUntil(u0);
-    vec4 sum = vec4(0.0);
-    for (int i = 1; i <= chords; ++i) {
-        Receiver close = last;
-        ONLY_IF(i < chords) close = receiverOnRay(t, id, position, mix(u0, u1, float(i) / float(chords)));
-        float weight = (exposureUntil(close.time) - exposureUntil(open.time)) / whole;
-        sum += weight * asPart(exposuresOver(segmentAlong(t, open, close)), float(i - 1) / float(chords),
-                               float(i) / float(chords));
-        open = close;
-    }
-    if (sum.y <= 0.0) return vec4(1.0, 0.0, 0.5, 0.25);
-    vec2 times = sum.x > 0.0 ? clamp(sum.zw / sum.x, 0.0, 1.0) : vec2(0.5, 0.25);
-    return vec4(clamp(sum.x / sum.y, 0.0, 1.0), min(sum.y, 1.0), times);
+// 1/256 of a pixel; a short way, as large pixels see it, is held to a share of itself.
+float allowedOffWay(Receiver open, Receiver close) {
+    return min(pixelWidthAt(close.position, close.time) / 256.0, length(close.position - open.position) / 16384.0);
 }
 #endif
 

@@ -148,8 +148,6 @@ ReceiverSegment segmentOn(MovingTriangle t, Receiver r, float u0, float u1) {
 }
 
 #ifdef SOLVES_INTERVALS
-const float chordsOfPixel = 256.0;  // a chord may leave the path by so small a part of a pixel
-const float chordsOfWay = 16384.0;
 const int mostChords = 64;
 
 // What the ray of an image position sees of a triangle: the chord between two times.
@@ -169,29 +167,19 @@ ReceiverSegment segmentAlong(MovingTriangle t, Receiver open, Receiver close) {
     return s;
 }
 
-// Width of a pixel at a place, in world units.
-float pixelWidthAt(vec3 place, float u) {
-    vec3 view = inCameraAt(place, place, u);
-    mat4 m = cameraView.viewFromWorldOpen;
-    vec3 change = vec3(m[0].x, m[1].x, m[2].x) - view.x / view.z * vec3(m[0].z, m[1].z, m[2].z);
-    return abs(view.z) / (length(change) * cameraView.size.x);
-}
-
 float leavesChord(MovingTriangle t, Receiver open, Receiver close, vec2 position, float share) {
     Receiver r = receiverOnRay(t, open.triangle, position, mix(open.time, close.time, share));
     return length(r.position - mix(open.position, close.position, share));
 }
 
-// Into how many chords the way is cut: what a chord leaves the path by falls with the square of their number.
-int chordsOf(MovingTriangle t, Receiver open, Receiver close, vec2 position) {
+// Into how many chords the way is cut, none of which leaves the path by more than `allowed`, nor is held to less than
+// rounding: what a chord leaves the path by falls with the square of their number.
+int chordsOf(MovingTriangle t, Receiver open, Receiver close, vec2 position, float allowed) {
     float away = 0.0;
     ONLY_IF(open.position != close.position) {
         away = max(max(leavesChord(t, open, close, position, 0.25), leavesChord(t, open, close, position, 0.5)),
                    leavesChord(t, open, close, position, 0.75));
     }
-    // A short way, as large pixels see it, is held to a share of itself, but nothing to less than its rounding.
-    float allowed = min(pixelWidthAt(close.position, close.time) / chordsOfPixel,
-                        length(close.position - open.position) / chordsOfWay);
     allowed = max(allowed, 2.0 * (open.clearance + close.clearance));
     return clamp(int(ceil(sqrt(away / allowed))), 1, mostChords);
 }

@@ -1,8 +1,7 @@
 // The way of a receiver through the cells of the light's map.
-#include "lib/candidate_lists.glsl"
-#include "techniques/integral/segment.glsl"
+#include "lib/receiver_segment.glsl"
 
-// A part of the way that stays in one cell and one bucket.
+// A part of the way that stays in one cell.
 struct CellPiece {
     ivec2 cell;
     float begin, end;  // ticks
@@ -45,8 +44,9 @@ float scaleOf(vec3 v) {
 #endif
 }
 
-// The piece that begins at `begin` in `cell` and ends at `end`, or before, where the way leaves the cell.
-CellPiece pieceIn(ReceiverSegment s, ivec2 cell, float begin, float end, float side) {
+// The piece that begins at `begin` in `cell` and ends at `end`, or before, where the way leaves the cell, which reaches
+// from `lowest` to `highest` in the map.
+CellPiece pieceIn(ReceiverSegment s, ivec2 cell, vec2 lowest, vec2 highest, float begin, float end) {
     CellPiece p;
     p.cell = cell;
     p.begin = begin;
@@ -54,7 +54,7 @@ CellPiece pieceIn(ReceiverSegment s, ivec2 cell, float begin, float end, float s
     vec3 a = mapBlossom(s, begin, begin), m = mapBlossom(s, begin, end), b = mapBlossom(s, end, end);
     float exit = 1.0;
     for (int axis = 0; axis < 2; ++axis) {
-        float low = float(cell[axis]) / side, high = float(cell[axis] + 1) / side;
+        float low = lowest[axis], high = highest[axis];
         float beyond = exitAt(a[axis] - high * scaleOf(a), m[axis] - high * scaleOf(m), b[axis] - high * scaleOf(b));
         float before = exitAt(low * scaleOf(a) - a[axis], low * scaleOf(m) - m[axis], low * scaleOf(b) - b[axis]);
         if (min(beyond, before) < exit) {
@@ -68,16 +68,4 @@ CellPiece pieceIn(ReceiverSegment s, ivec2 cell, float begin, float end, float s
     p.middle = mapBlossom(s, begin, p.end);
     p.close = mapBlossom(s, p.end, p.end);
     return p;
-}
-
-// What candidates' bounds are compared with.
-uint boxOf(CellPiece p, float side) {
-    vec2 a = onMap(p.open) * side, b = onMap(p.close) * side;
-    vec2 low = min(a, b), high = max(a, b);
-#ifdef LIGHT_ORTHOGRAPHIC
-    low = min(low, p.middle.xy * side);
-    high = max(high, p.middle.xy * side);
-#endif
-    ivec2 cell = clamp(p.cell, ivec2(0), ivec2(side) - 1);
-    return packReceiverBox(low - vec2(cell), high - vec2(cell), depthStep(max(p.open.z, p.close.z), leastDepth()));
 }

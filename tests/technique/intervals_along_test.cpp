@@ -1,0 +1,109 @@
+// Interval shadow maps on interval samples: the share of a segment that is lit is the mean of what they say at
+// instants.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_catalogue.h"
+#include "support/gl_environment.h"
+#include "support/moving_scene.h"
+#include "techniques/intervals/intervals_shadow.h"
+
+namespace timeshade {
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+constexpr int width = 64, height = 48, instants = 32;
+constexpr std::uint32_t seeds = 6;
+
+std::unique_ptr<Scene> sceneOf(const std::string& name) {
+    if (name == "quads") return makeMovingScene({.seed = 3});
+    return openScene(name, {}, {});
+}
+
+FrameRequest requestOf(const Scene& scene) {
+    FrameRequest request;
+    request.width = width;
+    request.height = height;
+    request.mapSize = 128;
+    request.pixelCentres = true;
+    request.frame = scene.defaults().frame;
+    request.shutter.framesPerSecond = scene.defaults().framesPerSecond;
+    request.shutter.length = scene.defaults().shutterLength;
+    return request;
+}
+
+/// Per pixel, the share of the shutter during which its centre sees light or the background.
+std::vector<double> litOf(const Scene& scene, const FrameRequest& request, const Settings& settings) {
+    IntervalsShadow technique(sharedRenderer().programs());
+    for (const auto& [key, value] : settings) setFromText(technique, key, value);
+    sharedRenderer().draw(FramePlanner(scene).plan(request), technique, View::Visibility);
+    std::vector<double> lit(static_cast<std::size_t>(width) * height);
+    if (sharedRenderer().hasIntervalSamples()) {
+        for (const FrameRenderer::PartValue& value : sharedRenderer().readParts()) {
+            const double exposure = static_cast<double>(value.part.end) - static_cast<double>(value.part.begin);
+            const bool isBackground = value.part.triangle == NO_TRIANGLE;
+            lit[value.part.place] += isBackground ? exposure : exposure * static_cast<double>(value.lit * value.tested);
+        }
+        return lit;
+    }
+    const std::vector<float> values = sharedRenderer().readVisibility();
+    for (std::size_t i = 0; i < values.size(); ++i)
+        lit[i % lit.size()] += static_cast<double>(values[i]) / request.samplesPerPixel;
+    return lit;
+}
+
+struct Difference {
+    double mean = 0.0, rms = 0.0;
+};
+
+/// Of segments from instants, over all pixels.
+Difference differenceOf(const std::string& name, const Settings& settings) {
+    const std::unique_ptr<Scene> scene = sceneOf(name);
+    FrameRequest request = requestOf(*scene);
+    request.samplesPerPixel = instants;
+    std::vector<double> sampled(static_cast<std::size_t>(width) * height);
+    for (request.seed = 1; request.seed <= seeds; ++request.seed) {
+        const std::vector<double> lit = litOf(*scene, request, settings);
+        for (std::size_t i = 0; i < lit.size(); ++i) sampled[i] += lit[i] / seeds;
+    }
+    request.samplesPerPixel = 1;
+    request.samples = CameraSamples::Intervals;
+    const std::vector<double> solved = litOf(*scene, request, settings);
+    Difference difference;
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+        difference.mean += (solved[i] - sampled[i]) / static_cast<double>(solved.size());
+        difference.rms += std::pow(solved[i] - sampled[i], 2.0) / static_cast<double>(solved.size());
+    }
+    difference.rms = std::sqrt(difference.rms);
+    return difference;
+}
+
+class IntervalsAlong : public testing::TestWithParam<const char*> {
+  protected:
+    /// Most of it is the noise of the instants. In "quads" the light grazes the faces of bent quads, which shadow each
+    /// other texel by texel: there is more of it, and chords of the receivers' ways show.
+    void expectAlike(const Settings& settings) {
+        const Difference found = differenceOf(GetParam(), settings);
+        const double scale = GetParam() == std::string("quads") ? 2.0 : 1.0;
+        EXPECT_LE(std::abs(found.mean), 0.0004 * scale);
+        EXPECT_LE(found.rms, 0.005 * scale);
+        RecordProperty("rms", std::to_string(found.rms));
+    }
+};
+
+TEST_P(IntervalsAlong, AreTheMeanOfInstants) { expectAlike({}); }
+
+TEST_P(IntervalsAlong, AreTheMeanOfInstantsFiltered) { expectAlike({{"bilinear", "on"}}); }
+
+TEST_P(IntervalsAlong, AsPublishedAreTheMeanOfInstants) {
+    expectAlike({{"as_published", "on"}, {"least_points", "256"}});
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, IntervalsAlong,
+                         testing::Values("pillars", "crossing", "cubes", "rising", "octopus", "chess", "quads"),
+                         [](const testing::TestParamInfo<const char*>& tested) { return std::string(tested.param); });
+
+}  // namespace
+}  // namespace timeshade
