@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 #include "core/error.h"
 #include "measure/segment_comparison.h"
@@ -107,18 +109,20 @@ std::vector<glm::vec2> placesOf(const FramePlan& plan) {
 }
 
 /// Ends within 1e-5 of those of exact arithmetic, or within 1/2000 pixel of the edge.
-TEST_P(IntervalSamplesOf, AreThoseOfTheOracle) {
-    const FramePlan plan = FramePlanner(*scene_).plan(request_);
+void expectThoseOfTheOracle(const Scene& scene, const FrameRequest& request) {
+    const FramePlan plan = FramePlanner(scene).plan(request);
     const std::vector<glm::vec2> places = placesOf(plan);
     std::vector<std::vector<SeenSegment>> got(places.size());
-    for (const SeenPart& s : segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "integral")))
+    for (const SeenPart& s : segmentsOf(drawParts(sharedRenderer(), scene, request, "integral")))
         got[s.place].push_back({s.triangle, static_cast<double>(s.begin), static_cast<double>(s.end)});
     const SegmentComparison comparison = compareSegments(SegmentOracle(plan), plan, places, got);
     EXPECT_EQ(comparison.count(SegmentDisagreement::Cause::Malformed), 0u);
     const std::size_t wrong = comparison.count(SegmentDisagreement::Cause::Different);
     EXPECT_LE(wrong, 0u) << comparison.partsPerMillion() << " ppm";
-    RecordProperty("beside", static_cast<int>(comparison.beside));
+    testing::Test::RecordProperty("beside", static_cast<int>(comparison.beside));
 }
+
+TEST_P(IntervalSamplesOf, AreThoseOfTheOracle) { expectThoseOfTheOracle(*scene_, request_); }
 
 /// The share of light that each part has, on the position's ray.
 TEST_P(IntervalSamplesOf, AreLitAsTheOracleSays) {
@@ -214,6 +218,31 @@ INSTANTIATE_TEST_SUITE_P(Scenes, IntervalSamplesOf,
                          testing::Values("crossing", "cubes", "rising", "octopus", "chess", "quads", "crowd", "around",
                                          "turning"),
                          [](const testing::TestParamInfo<std::string>& tested) { return tested.param; });
+
+TEST(IntervalSamples, OfManyTrianglesAreThoseOfTheOracle) {
+    for (const SettingTexts& settings : {SettingTexts{}, SettingTexts{{"cubes.count", "2500"}}}) {
+        const std::unique_ptr<Scene> scene = openScene(settings.empty() ? "pillars" : "cubes", {}, settings);
+        expectThoseOfTheOracle(*scene, requestOf(*scene, intervalRequest(1)));
+    }
+}
+
+/// Files by others, which are not part of the project, in the middle of what moves in them.
+TEST(IntervalSamples, OfForeignFilesAreThoseOfTheOracle) {
+    const char* folder = std::getenv("TIMESHADE_SHARED_GLTF");
+    if (folder == nullptr) GTEST_SKIP() << "TIMESHADE_SHARED_GLTF names no folder";
+    const std::pair<const char*, double> files[] = {{"Fox.glb", 7.0},
+                                                    {"BoxAnimated.glb", 40.0},
+                                                    {"AnimatedMorphCube.glb", 20.0},
+                                                    {"03_skinned_cylinder/03_skinned_cylinder.gltf", 20.0}};
+    for (const auto& [file, at] : files) {
+        SCOPED_TRACE(file);
+        const std::unique_ptr<Scene> scene = openScene(std::filesystem::path(folder) / file, {}, {});
+        FrameRequest request = requestOf(*scene, intervalRequest());
+        request.frame = at;
+        request.shutter.length = 2.0;
+        expectThoseOfTheOracle(*scene, request);
+    }
+}
 
 /// A solved shadow on solved samples has no random time in it: with positions at pixel centres no seed makes a
 /// difference.
