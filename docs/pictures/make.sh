@@ -33,3 +33,25 @@ layers=("${above[@]}" --technique layers --spp 4 --map 512 --set layers.as_publi
 "$run" "${layers[@]}" --set layers.count=1 -o "$work/parts-2.png"
 "$run" "${layers[@]}" --set layers.neighbour_tiles=off -o "$work/parts-3.png"
 convert "$work"/parts-?.png -crop 120x100+160+95 +repage -filter point -resize 300% +append "$here/layers-parts.png"
+
+# Palmér's figures 4.1 to 4.4: a cube above a plane that stands still, turns, and turns less; chess without a filter in
+# the first column. As published, repaired, tsm with 8 samples, ground truth.
+interval=(--samples intervals --spp 1 --size 320x240 --map 512 --technique intervals)
+published=(--set intervals.as_published=on)
+filtered=(--set intervals.bilinear=on)
+for figure in "cube" "cube --set cube.turning=on" "cube --set cube.turning=on --set cube.angle=3"; do
+    read -ra scene <<<"$figure"
+    "$run" shot "${scene[@]}" "${interval[@]}" "${published[@]}" "${filtered[@]}" -o "$work/figure-0.png"
+    "$run" shot "${scene[@]}" "${interval[@]}" "${filtered[@]}" -o "$work/figure-1.png"
+    "$run" shot "${scene[@]}" --technique tsm --spp 8 --size 320x240 --map 512 -o "$work/figure-2.png"
+    "$run" shot "${scene[@]}" --technique exact --spp 32 --size 320x240 -o "$work/figure-3.png"
+    convert "$work"/figure-?.png -crop 150x75+110+88 +repage -filter point -resize 200% +append \
+        "$work/row-$((rows = ${rows:-0} + 1)).png"
+done
+chess=(chess --camera knight)
+"$run" shot "${chess[@]}" "${interval[@]}" "${published[@]}" -o "$work/figure-0.png"
+"$run" shot "${chess[@]}" "${interval[@]}" "${filtered[@]}" -o "$work/figure-1.png"
+"$run" shot "${chess[@]}" --technique tsm --spp 8 --size 320x240 --map 512 -o "$work/figure-2.png"
+"$run" shot "${chess[@]}" --technique exact --spp 32 --size 320x240 -o "$work/figure-3.png"
+convert "$work"/figure-?.png -crop 150x75+60+150 +repage -filter point -resize 200% +append "$work/row-4.png"
+convert "$work"/row-?.png -append -quality 88 "$here/interval-figures.jpg"
