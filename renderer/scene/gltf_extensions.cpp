@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/one_line.h"
+#include "scene/gltf_compression.h"
 
 namespace timeshade::gltf {
 
@@ -39,7 +40,7 @@ constexpr std::array<std::string_view, 6> lookFamilies{"KHR_materials_",  "EXT_m
                                                        "VRMC_materials_", "MSFT_packing_",  "AGI_stk_metadata"};
 
 bool isRead(std::string_view name) {
-    return std::find(readExtensions.begin(), readExtensions.end(), name) != readExtensions.end();
+    return decodes(name) || std::find(readExtensions.begin(), readExtensions.end(), name) != readExtensions.end();
 }
 
 bool changesLooksAlone(std::string_view name) {
@@ -62,13 +63,13 @@ std::vector<std::string> namesIn(const Json& root, const char* list, bool strict
     return names;
 }
 
-/// The compression of an element; empty where there is none.
+/// The compression of an element that this build can't undo; empty where there is none.
 std::string_view compressionOf(const Json& element) {
     const auto extensions = element.is_object() ? element.find("extensions") : element.end();
     if (extensions == element.end() || !extensions->is_object()) return {};
     for (const std::string_view name :
          {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"})
-        if (extensions->contains(name)) return name;
+        if (extensions->contains(name) && !decodes(name)) return name;
     return {};
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/one_line.h"
+#include "scene/gltf_compression.h"
 #include "scene/gltf_extensions.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_pointers.h"
@@ -23,11 +24,27 @@ bool keepNoImage(tinygltf::Image*, const int, std::string*, std::string*, int, i
     return true;
 }
 
+/// Calls `found` for each primitive that has a compressed form, with the numbers of its mesh and of itself in it.
+template <typename Root, typename Found>
+void forCompressedPrimitives(Root& root, const Found& found) {
+    const auto meshes = root.find("meshes");
+    for (std::size_t m = 0; meshes != root.end() && m < meshes->size(); ++m) {
+        const auto primitives = (*meshes)[m].find("primitives");
+        if (primitives == (*meshes)[m].end() || !primitives->is_array()) continue;
+        for (std::size_t p = 0; p < primitives->size(); ++p)
+            if ((*primitives)[p].contains(nlohmann::json::json_pointer("/extensions/KHR_draco_mesh_compression")))
+                found((*primitives)[p], m, p);
+    }
+}
+
 tinygltf::Model parseStructure(const Document& document) {
     // Without these sections tinygltf opens no file and decodes nothing.
     nlohmann::json bare = document.json;
     bare.erase("buffers");
     bare.erase("images");
+    // It expects data of its own behind all indices.
+    forCompressedPrimitives(bare,
+                            [](nlohmann::json& primitive, std::size_t, std::size_t) { primitive.erase("indices"); });
     const std::string text = bare.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     bare = nullptr;
 
@@ -273,6 +290,10 @@ Model readModel(const Document& document) {
     requireJointsAndWeights(from.meshes);
     noteAttributes(from.meshes, to.notes);
     for (const auto& mesh : from.meshes) to.meshes.push_back(convert(mesh));
+    forCompressedPrimitives(document.json, [&](const nlohmann::json& primitive, std::size_t m, std::size_t p) {
+        if (primitive.contains("indices") && p < to.meshes.at(m).primitives.size())
+            to.meshes[m].primitives[p].indices = primitive["indices"].get<int>();
+    });
     for (const auto& node : from.nodes) to.nodes.push_back(convert(node));
     for (const auto& skin : from.skins) to.skins.push_back({skin.joints, skin.inverseBindMatrices});
     for (const auto& animation : from.animations) to.animations.push_back(convert(animation));
@@ -297,6 +318,11 @@ void loadBuffers(Model& model, const Document& document, FilesBeside& files) {
         const std::size_t index = model.buffers.size();
         const auto length = buffer.find("byteLength");
         if (length == buffer.end()) throw Error(fmt::format("buffer {} has no byteLength", index));
+        if (isFallback(buffer)) {
+            model.bufferLengths.push_back(0);
+            model.buffers.push_back(std::make_shared<const Bytes>());
+            continue;
+        }
         const auto uri = buffer.find("uri");
         if (uri != buffer.end() && !uri->is_string())
             throw Error(fmt::format("buffer {} has a URI that is no text", index));

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/one_line.h"
 #include "scene/clip_clock.h"
+#include "scene/gltf_compression.h"
 #include "scene/gltf_defaults.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_geometry.h"
@@ -321,6 +322,7 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     Model model = readModel(document);
     watch({"buffers"});
     loadBuffers(model, document, files);
+    decompress(model, document.json);
     validate(model);
     expandInstances(model, options.maxTriangles);
 
