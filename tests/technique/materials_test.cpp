@@ -144,6 +144,20 @@ TEST(Materials, EmissiveTexturesShineWhereTheyAreBright) {
         50.0 * filterError);
 }
 
+/// A factor whose map is black shines no more than one that is absent, wherever the map is black.
+TEST(Materials, WhereTheEmissiveMapIsBlackNothingShines) {
+    Grey half = chart;
+    for (std::size_t i = 0; i < half.levels.size() / 2; ++i) half.levels[i] = 0;
+    for (const Grey& map : {Grey{1, 1, {0}}, Grey{2, 3, {0, 0, 0, 0, 0, 0}}, half}) {
+        const std::vector<double> found = emitted(shining(1), map);
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i) {
+                if (filtered(map, (i + 0.5) / side, (j + 0.5) / side, 10497, 10497) > 0.0) continue;
+                EXPECT_EQ(found[static_cast<std::size_t>(j * side + i)], 0.0) << i << " " << j;
+            }
+    }
+}
+
 TEST(Materials, ImagesWrapAsTheirSamplerSays) {
     for (const int modeU : {10497, 33648, 33071})
         for (const int modeV : {10497, 33648, 33071}) {
@@ -180,7 +194,7 @@ TEST(Materials, TexturesReadTheirOwnCoordinates) {
 
 /// Texels much smaller than pixels: their mean, not one of them.
 TEST(Materials, SmallTexelsAreAveraged) {
-    for (const int texels : {256, 512}) {
+    for (const int texels : {250, 500}) {
         Grey checkered{texels, texels, {}};
         for (int y = 0; y < texels; ++y)
             for (int x = 0; x < texels; ++x) checkered.levels.push_back((x + y) % 2 == 0 ? 255 : 0);
@@ -190,16 +204,27 @@ TEST(Materials, SmallTexelsAreAveraged) {
 }
 
 TEST(Materials, ColoursOfVerticesMultiplyTheBaseColour) {
-    GltfFile white = quadBeforeCamera(1, false), black = white, coloured = white;
+    // At the corners, from the lower left one counter-clockwise.
+    const auto u = [](double x, double) { return x; };
+    const auto left = [](double x, double) { return 1.0 - x; };
+    const auto v = [](double, double y) { return y; };
+    GltfFile white = quadBeforeCamera(1, false), black = white;
     black.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0, 0, 0, 1};
-    Json& attributes = coloured.json["meshes"][0]["primitives"][0]["attributes"];
-    attributes["COLOR_0"] =
-        coloured.addAccessor<std::uint8_t>({0, 9, 9, 0, 255, 9, 9, 0, 255, 9, 9, 0, 0, 9, 9, 0}, "VEC4", 4, true);
     for (const CameraSamples samples : {CameraSamples::Strata, CameraSamples::Intervals}) {
         const std::vector<double> high = drawn(white, chart, samples), low = drawn(black, chart, samples);
-        std::vector<double> share = drawn(coloured, chart, samples);
-        for (std::size_t i = 0; i < share.size(); ++i) share[i] = (share[i] - low[i]) / (high[i] - low[i]);
-        EXPECT_LE(worst(share, [](double u, double) { return u; }), 1e-4);
+        const auto check = [&](const std::vector<std::uint8_t>& corners, const auto& expected) {
+            GltfFile coloured = white;
+            std::vector<std::uint8_t> colours;
+            for (const std::uint8_t red : corners) colours.insert(colours.end(), {red, 9, 9, 0});
+            coloured.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
+                coloured.addAccessor<std::uint8_t>(colours, "VEC4", 4, true);
+            std::vector<double> share = drawn(coloured, chart, samples);
+            for (std::size_t i = 0; i < share.size(); ++i) share[i] = (share[i] - low[i]) / (high[i] - low[i]);
+            EXPECT_LE(worst(share, expected), 1e-4);
+        };
+        check({0, 255, 255, 0}, u);
+        check({255, 0, 0, 255}, left);
+        check({255, 255, 0, 0}, v);
     }
 }
 
