@@ -121,8 +121,12 @@ MotionMesh subdivided(MotionMesh mesh) {
             const glm::vec3 sum = (*normals)[a] + (*normals)[b];
             normals->push_back(glm::length(sum) > 0.0f ? glm::normalize(sum) : (*normals)[a]);
         }
-        topology->textureCoordinates.push_back(0.5f *
-                                               (topology->textureCoordinates[a] + topology->textureCoordinates[b]));
+        const auto between = [&](auto& list) {
+            if (!list.empty()) list.push_back(0.5f * (list[a] + list[b]));
+        };
+        between(topology->textureCoordinates);
+        between(topology->moreCoordinates);
+        between(topology->colours);
         return static_cast<std::uint32_t>(mesh.positionsOpen.size() - 1);
     };
     const MeshTopology& given = *mesh.topology;
@@ -151,6 +155,8 @@ MotionMesh withQuad(MotionMesh mesh, const glm::dvec3 (&corners)[4]) {
         mesh.normalsOpen.push_back(normal);
         mesh.normalsClose.push_back(normal);
         topology->textureCoordinates.emplace_back(0.0f);
+        if (!topology->moreCoordinates.empty()) topology->moreCoordinates.emplace_back(0.0f);
+        if (!topology->colours.empty()) topology->colours.emplace_back(1.0f);
     }
     for (const glm::u32vec3& t :
          {glm::u32vec3(first, first + 1, first + 2), glm::u32vec3(first, first + 2, first + 3)}) {

@@ -34,17 +34,19 @@ Texture::Texture(GLenum target, const std::string& labelText) : Object(createTex
     setWrap(GL_CLAMP_TO_EDGE);
 }
 
-Texture Texture::array2D(const std::string& labelText, GLenum internalFormat, int width, int height, int layers) {
-    assert(width > 0 && height > 0 && layers > 0);
+Texture Texture::array2D(const std::string& labelText, GLenum internalFormat, int width, int height, int layers,
+                         int levels) {
+    assert(width > 0 && height > 0 && layers > 0 && levels > 0);
     Texture texture(GL_TEXTURE_2D_ARRAY, labelText);
     texture.format_ = internalFormat;
     texture.width_ = width;
     texture.height_ = height;
     texture.layers_ = layers;
-    texture.bytes_ = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) *
-                     static_cast<std::size_t>(height) * static_cast<std::size_t>(layers);
+    const std::size_t base = bytesPerTexel(internalFormat) * static_cast<std::size_t>(width) *
+                             static_cast<std::size_t>(height) * static_cast<std::size_t>(layers);
+    texture.bytes_ = levels > 1 ? base + base / 3 : base;
     reserve(labelText, texture.bytes_,
-            [&] { glTextureStorage3D(texture.name(), 1, internalFormat, width, height, layers); });
+            [&] { glTextureStorage3D(texture.name(), levels, internalFormat, width, height, layers); });
     return texture;
 }
 

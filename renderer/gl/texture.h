@@ -17,7 +17,8 @@ struct DeleteTexture {
 class Texture : public Object<DeleteTexture> {
   public:
     /// A 2D array of `layers` layers, each width x height. All at least 1. Throws Error where the memory can't be had.
-    static Texture array2D(const std::string& labelText, GLenum internalFormat, int width, int height, int layers);
+    static Texture array2D(const std::string& labelText, GLenum internalFormat, int width, int height, int layers,
+                           int levels = 1);
     static Texture image2D(const std::string& labelText, GLenum internalFormat, int width, int height, int levels = 1);
     /// A view of a whole buffer as texels of `internalFormat`; the buffer must outlive it.
     static Texture ofBuffer(const std::string& labelText, GLenum internalFormat, const Buffer& buffer);

@@ -25,9 +25,15 @@ std::string sceneDigest(const FramePlan& plan) {
         digest.bytes(&material.metallicFactor, sizeof material.metallicFactor);
         digest.bytes(&material.roughnessFactor, sizeof material.roughnessFactor);
         digest.bytes(&material.emissiveFactor, sizeof material.emissiveFactor);
-        digest.bytes(&material.baseColorImage, sizeof material.baseColorImage);
-        digest.bytes(&material.metallicRoughnessImage, sizeof material.metallicRoughnessImage);
+        for (const TextureUse& use : {material.baseColor, material.metallicRoughness, material.emissive}) {
+            digest.bytes(&use.image, sizeof use.image);
+            digest.bytes(&use.coordinates, sizeof use.coordinates);
+            digest.bytes(&use.wrapU, sizeof use.wrapU);
+            digest.bytes(&use.wrapV, sizeof use.wrapV);
+        }
     }
+    digest.values(plan.mesh->topology->moreCoordinates);
+    digest.values(plan.mesh->topology->colours);
     for (const Image& image : *plan.images) digest.values(image.rgba);
     return digest.text();
 }

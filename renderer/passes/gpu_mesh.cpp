@@ -1,6 +1,7 @@
 #include "passes/gpu_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
 
@@ -43,7 +44,9 @@ gl::Texture imageArray(const std::string& label, GLenum format, const std::vecto
         const Image& image = images[static_cast<std::size_t>(index)];
         side = std::max(side, std::min(std::max(image.width, image.height), imageArraySide));
     }
-    gl::Texture texture = gl::Texture::array2D(label, format, side, side, std::max(1, static_cast<int>(wanted.size())));
+    const int layers = std::max(1, static_cast<int>(wanted.size()));
+    const int levels = std::bit_width(static_cast<unsigned>(side));
+    gl::Texture texture = gl::Texture::array2D(label, format, side, side, layers, levels);
     if (wanted.empty()) {
         const std::uint32_t white = 0xffffffffu;
         glTextureSubImage3D(texture.name(), 0, 0, 0, 0, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &white);
@@ -53,9 +56,19 @@ gl::Texture imageArray(const std::string& label, GLenum format, const std::vecto
         glTextureSubImage3D(texture.name(), 0, 0, 0, static_cast<GLint>(layer), side, side, 1, GL_RGBA,
                             GL_UNSIGNED_BYTE, texels.data());
     }
-    texture.setFilters(GL_LINEAR, GL_LINEAR);
+    glGenerateTextureMipmap(texture.name());
+    texture.setFilters(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     texture.setWrap(GL_REPEAT);
     return texture;
+}
+
+/// As a number of a material's texels.
+float packed(const TextureUse& use) {
+    const auto wrap = [](Wrap side) {
+        return side == Wrap::Mirror ? TEXTURE_MIRRORS : side == Wrap::Clamp ? TEXTURE_CLAMPS : TEXTURE_REPEATS;
+    };
+    return static_cast<float>(static_cast<unsigned>(use.coordinates) | wrap(use.wrapU) << TEXTURE_WRAP_U_SHIFT |
+                              wrap(use.wrapV) << TEXTURE_WRAP_V_SHIFT);
 }
 
 /// Where an image lies in its array, adding it at the end if it is new; -1 stays -1.
@@ -101,25 +114,44 @@ void GpuMesh::allocate(const FramePlan& plan) {
     vertices_->floats(0, 0, 3, 0);
     vertices_->floats(1, 0, 3, position);
     glVertexArrayElementBuffer(vertices_->name(), indices_->name());
+    uploadVertices(*plan.mesh->topology);
     triangleCount_ = plan.mesh->topology->triangles.size();
     allocatedFor_ = plan.mesh->topology;
     uploaded_ = nullptr;
+}
+
+void GpuMesh::uploadVertices(const MeshTopology& topology) {
+    const auto upload = [](const char* label, const std::vector<glm::vec4>& values, std::optional<gl::Buffer>& buffer,
+                           std::optional<gl::Texture>& view) {
+        view.reset();
+        buffer.reset();
+        if (values.empty()) return;
+        buffer.emplace(label, std::span<const glm::vec4>(values));
+        view = gl::Texture::ofBuffer(label, GL_RGBA32F, *buffer);
+    };
+    upload("vertex colours", topology.colours, vertexColours_, vertexColoursView_);
+    upload("more texture coordinates", topology.moreCoordinates, moreCoordinates_, moreCoordinatesView_);
+    indicesView_.reset();
+    if (vertexColours_ || moreCoordinates_) indicesView_ = gl::Texture::ofBuffer("indices", GL_R32UI, *indices_);
 }
 
 void GpuMesh::uploadMaterials(const FramePlan& plan) {
     std::vector<int> colors, data;
     std::vector<glm::vec4> texels;
     for (const Material& material : *plan.materials) {
-        const int color = layerOf(colors, material.baseColorImage),
-                  other = layerOf(data, material.metallicRoughnessImage);
+        const int color = layerOf(colors, material.baseColor.image),
+                  other = layerOf(data, material.metallicRoughness.image),
+                  emissive = layerOf(colors, material.emissive.image);
         texels.push_back(material.baseColorFactor);
         texels.emplace_back(material.metallicFactor, material.roughnessFactor, static_cast<float>(color),
                             static_cast<float>(other));
-        texels.emplace_back(material.emissiveFactor, 0.0f);
+        texels.emplace_back(material.emissiveFactor, static_cast<float>(emissive));
+        texels.emplace_back(packed(material.baseColor), packed(material.metallicRoughness), packed(material.emissive),
+                            0.0f);
     }
     materials_.emplace("materials", std::span<const glm::vec4>(texels));
     materialsView_ = gl::Texture::ofBuffer("materials", GL_RGBA32F, *materials_);
-    colorImages_ = imageArray("base colour images", GL_SRGB8_ALPHA8, *plan.images, colors);
+    colorImages_ = imageArray("colour images", GL_SRGB8_ALPHA8, *plan.images, colors);
     dataImages_ = imageArray("metallic-roughness images", GL_RGBA8, *plan.images, data);
     materialsOf_ = plan.materials;
 }
@@ -130,11 +162,15 @@ void GpuMesh::bind() const {
     materialsView_->bind(MATERIALS_UNIT);
     colorImages_->bind(COLOR_IMAGES_UNIT);
     dataImages_->bind(DATA_IMAGES_UNIT);
+    if (indicesView_) indicesView_->bind(VERTEX_INDICES_UNIT);
+    if (vertexColoursView_) vertexColoursView_->bind(VERTEX_COLOURS_UNIT);
+    if (moreCoordinatesView_) moreCoordinatesView_->bind(MORE_COORDINATES_UNIT);
 }
 
 std::size_t GpuMesh::bytes() const {
     std::size_t sum = 0;
-    for (const auto* buffer : {&positions_, &shading_, &materials_, &vertexPositions_, &indices_})
+    for (const auto* buffer :
+         {&positions_, &shading_, &materials_, &vertexPositions_, &indices_, &vertexColours_, &moreCoordinates_})
         sum += *buffer ? (*buffer)->bytes() : 0;
     for (const auto* texture : {&colorImages_, &dataImages_}) sum += *texture ? (*texture)->bytes() : 0;
     return sum;

@@ -31,6 +31,7 @@ class GpuMesh {
   private:
     void uploadMaterials(const FramePlan& plan);
     void allocate(const FramePlan& plan);
+    void uploadVertices(const MeshTopology& topology);
 
     std::shared_ptr<const MeshTexels> uploaded_;
     std::shared_ptr<const MeshTopology> allocatedFor_;
@@ -38,6 +39,9 @@ class GpuMesh {
     std::size_t triangleCount_ = 0;
     std::optional<gl::Buffer> positions_, shading_, materials_, vertexPositions_, indices_;
     std::optional<gl::Texture> positionsView_, shadingView_, materialsView_;
+    // Where the scene has such.
+    std::optional<gl::Buffer> vertexColours_, moreCoordinates_;
+    std::optional<gl::Texture> vertexColoursView_, moreCoordinatesView_, indicesView_;
     std::optional<gl::Texture> colorImages_, dataImages_;
     std::optional<gl::VertexArray> trianglesAsVertices_, vertices_;
 };

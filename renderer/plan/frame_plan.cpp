@@ -146,7 +146,8 @@ void fillLight(shared::FrameBlock& block, const FramePlan& plan, double exposure
     };
     block.lightDirection = glm::vec4(glm::dvec4(direction(plan.lightOpen), directional ? 1.0 : 0.0));
     block.lightDirectionClose = glm::vec4(glm::dvec4(direction(plan.lightClose), directional ? 1.0 : 0.0));
-    block.lightIntensity = glm::vec4(glm::dvec4(light.intensity * exposure, 0.0));
+    const double fading = !directional && light.range > 0.0 ? 1.0 / (light.range * light.range) : 0.0;
+    block.lightIntensity = glm::vec4(glm::dvec4(light.intensity * exposure, fading));
     // Width of a map texel, of its longer side: at distance 1 from a spot, at any distance from a directional light.
     const double texel = glm::length(plan.light.open.right) / plan.request.mapSize.shorterSide();
     block.lightCone = glm::vec4(glm::dvec4(cosOuter, cosInner, 1.0 / (cosInner - cosOuter), texel));
@@ -156,12 +157,18 @@ void fillLight(shared::FrameBlock& block, const FramePlan& plan, double exposure
 }
 
 /// Exposure is fixed per scene, so that files in candela, lux or arbitrary units all look right: a white diffuse
-/// surface at the scene's centre that faces the light at the scene's default frame has radiance 2.6.
+/// surface at the scene's centre that faces the light at the scene's default frame has radiance 2.6, if the light is
+/// as strong as it ever gets.
 double exposureOf(const Scene& scene) {
     const LightPose light = scene.light(scene.defaults().frame / scene.defaults().framesPerSecond);
     const glm::dvec3 path = scene.bounds().centre() - light.position;
     const double squared = light.kind == LightKind::Directional ? 1.0 : std::max(glm::dot(path, path), 1e-12);
-    const double strongest = std::max({light.intensity.x, light.intensity.y, light.intensity.z, 1e-12});
+    double strongest = std::max({light.intensity.x, light.intensity.y, light.intensity.z, 1e-12});
+    constexpr int times = 64;
+    for (int i = 0; scene.duration() > 0.0 && i <= times; ++i) {
+        const glm::dvec3 then = scene.light(scene.duration() * i / times).intensity;
+        strongest = std::max({strongest, then.x, then.y, then.z});
+    }
     return 2.6 * 3.14159265358979 * squared / strongest;
 }
 

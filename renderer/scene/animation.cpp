@@ -83,16 +83,28 @@ std::size_t morphCount(const Model& model, const Node& node) {
     return model.meshes[static_cast<std::size_t>(node.mesh)].primitives.front().targets.size();
 }
 
+std::size_t widthOf(TargetPath path) {
+    switch (path) {
+    case TargetPath::Rotation: return 4;
+    case TargetPath::Intensity:
+    case TargetPath::Range:
+    case TargetPath::InnerConeAngle:
+    case TargetPath::OuterConeAngle: return 1;
+    default: return 3;
+    }
+}
+
 Track readTrack(const Model& model, const AnimationSampler& sampler, const AnimationChannel& channel, KeyCache& cache,
                 const std::string& what) {
     Track track;
     track.node = channel.node;
+    track.light = channel.light;
     track.path = channel.path;
     track.interpolation = sampler.interpolation;
     track.times = readTimes(model, sampler.input, cache, what);
     const bool weights = channel.path == TargetPath::Weights;
-    track.width = weights ? morphCount(model, model.nodes[static_cast<std::size_t>(channel.node)])
-                          : (channel.path == TargetPath::Rotation ? 4u : 3u);
+    track.width =
+        weights ? morphCount(model, model.nodes[static_cast<std::size_t>(channel.node)]) : widthOf(channel.path);
     if (track.width == 0) return track;
     track.values = readValues(model, sampler.output, weights ? 1 : static_cast<int>(track.width), cache, what);
     const std::size_t perKey = sampler.interpolation == Interpolation::CubicSpline ? 3 : 1;
@@ -149,14 +161,16 @@ void Track::sample(const ClipInstant& instant, double* out) const {
 
 Clip readClip(const Model& model, std::size_t index, KeyCache& cache, std::vector<std::string>& notes) {
     const Animation& animation = model.animations[index];
-    Clip clip{animation.name.empty() ? fmt::format("animation_{}", index) : animation.name, {}, 0.0};
+    Clip clip{animation.name.empty() ? fmt::format("animation_{}", index) : animation.name, {}, {}, 0.0};
     std::size_t skipped = 0;
     for (const AnimationChannel& channel : animation.channels) {
         if (channel.path == TargetPath::Other) {
             ++skipped;
             continue;
         }
-        const std::string what = fmt::format("animation {} (node {})", index, channel.node);
+        const bool ofLight = channel.light >= 0;
+        const std::string what = fmt::format("animation {} ({} {})", index, ofLight ? "light" : "node",
+                                             ofLight ? channel.light : channel.node);
         Track track =
             readTrack(model, animation.samplers[static_cast<std::size_t>(channel.sampler)], channel, cache, what);
         if (track.width == 0) {
@@ -164,7 +178,7 @@ Clip readClip(const Model& model, std::size_t index, KeyCache& cache, std::vecto
             continue;
         }
         clip.duration = std::max(clip.duration, track.times->back());
-        clip.tracks.push_back(std::move(track));
+        (ofLight ? clip.lightTracks : clip.tracks).push_back(std::move(track));
     }
     if (skipped > 0)
         notes.push_back(fmt::format("{} channels of clip \"{}\" drive something that is not supported and are left out",

@@ -18,12 +18,13 @@ struct ClipInstant {
     static ClipInstant of(double seconds) { return {seconds, seconds}; }
 };
 
-/// One animated property of a node: values at keys, and the interpolation between them.
+/// One animated property of a node or a light: values at keys, and the interpolation between them.
 struct Track {
     int node = -1;
+    int light = -1;
     TargetPath path = TargetPath::Other;
     Interpolation interpolation = Interpolation::Linear;
-    std::size_t width = 0;                             ///< numbers per value: 3, 4, or the number of morph weights
+    std::size_t width = 0;                             ///< numbers per value: 1, 3, 4, or that of morph weights
     std::shared_ptr<const std::vector<double>> times;  ///< seconds, strictly increasing, never empty
     std::shared_ptr<const std::vector<float>> values;  ///< width per key; a spline has in-tangent, value, out-tangent
 
@@ -40,8 +41,9 @@ struct Track {
 /// An animation of the file.
 struct Clip {
     std::string name;
-    std::vector<Track> tracks;
-    double duration = 0.0;  ///< the last key of all tracks, seconds
+    std::vector<Track> tracks;       ///< of nodes
+    std::vector<Track> lightTracks;  ///< of lights' own properties
+    double duration = 0.0;           ///< the last key of all tracks, seconds
 };
 
 /// Keys by accessor. Channels may share accessors; reading each accessor once bounds memory by the file's size.

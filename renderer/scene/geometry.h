@@ -20,11 +20,13 @@ struct JointSet {
     std::vector<glm::vec4> weights;
 };
 
-/// Triangles of one material in mesh space, at rest. All lists have one entry per vertex.
+/// Triangles of one material in mesh space, at rest. All lists have one entry per vertex, unless they may be empty.
 struct Geometry {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  ///< unit
     std::vector<glm::vec2> textureCoordinates;
+    std::vector<glm::vec4> moreCoordinates;  ///< may be empty; this and the next as in MeshTopology
+    std::vector<glm::vec4> colours;          ///< may be empty
     std::vector<JointSet> jointSets;
     std::vector<MorphDeltas> morphs;
     std::vector<glm::u32vec3> triangles;

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/one_line.h"
+#include "scene/gltf_compression.h"
 
 namespace timeshade::gltf {
 
@@ -18,38 +19,28 @@ namespace {
 using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
-constexpr std::array<std::string_view, 3> readExtensions{"EXT_mesh_gpu_instancing", "KHR_lights_punctual",
-                                                         "KHR_mesh_quantization"};
+constexpr std::array<std::string_view, 6> readExtensions{"EXT_mesh_gpu_instancing", "KHR_animation_pointer",
+                                                         "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+                                                         "KHR_mesh_quantization",   "KHR_texture_transform"};
 
 /// Extensions that change neither shapes nor motion nor what casts shadows; and the first parts of the names of whole
 /// families of such.
-constexpr std::array<std::string_view, 22> lookExtensions{"KHR_texture_transform",
-                                                          "KHR_texture_basisu",
-                                                          "KHR_texture_float",
-                                                          "KHR_techniques_webgl",
-                                                          "KHR_xmp",
-                                                          "KHR_xmp_json_ld",
-                                                          "KHR_audio",
-                                                          "KHR_audio_emitter",
-                                                          "EXT_texture_webp",
-                                                          "EXT_texture_avif",
-                                                          "EXT_texture_exr",
-                                                          "EXT_texture_astc",
-                                                          "EXT_lights_image_based",
-                                                          "EXT_lights_ies",
-                                                          "EXT_mesh_features",
-                                                          "EXT_instance_features",
-                                                          "EXT_structural_metadata",
-                                                          "EXT_feature_metadata",
-                                                          "EXT_primitive_voxels",
-                                                          "FB_geometry_metadata",
-                                                          "MSFT_texture_dds",
+constexpr std::array<std::string_view, 21> lookExtensions{"KHR_texture_basisu",      "KHR_texture_float",
+                                                          "KHR_techniques_webgl",    "KHR_xmp",
+                                                          "KHR_xmp_json_ld",         "KHR_audio",
+                                                          "KHR_audio_emitter",       "EXT_texture_webp",
+                                                          "EXT_texture_avif",        "EXT_texture_exr",
+                                                          "EXT_texture_astc",        "EXT_lights_image_based",
+                                                          "EXT_lights_ies",          "EXT_mesh_features",
+                                                          "EXT_instance_features",   "EXT_structural_metadata",
+                                                          "EXT_feature_metadata",    "EXT_primitive_voxels",
+                                                          "FB_geometry_metadata",    "MSFT_texture_dds",
                                                           "CESIUM_primitive_outline"};
 constexpr std::array<std::string_view, 6> lookFamilies{"KHR_materials_",  "EXT_materials_", "ADOBE_materials_",
                                                        "VRMC_materials_", "MSFT_packing_",  "AGI_stk_metadata"};
 
 bool isRead(std::string_view name) {
-    return std::find(readExtensions.begin(), readExtensions.end(), name) != readExtensions.end();
+    return decodes(name) || std::find(readExtensions.begin(), readExtensions.end(), name) != readExtensions.end();
 }
 
 bool changesLooksAlone(std::string_view name) {
@@ -72,23 +63,24 @@ std::vector<std::string> namesIn(const Json& root, const char* list, bool strict
     return names;
 }
 
-/// The elements of a section; none where there is no such list.
+/// The compression of an element that this build can't undo; empty where there is none.
+std::string_view compressionOf(const Json& element) {
+    const auto extensions = element.is_object() ? element.find("extensions") : element.end();
+    if (extensions == element.end() || !extensions->is_object()) return {};
+    for (const std::string_view name :
+         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"})
+        if (extensions->contains(name) && !decodes(name)) return name;
+    return {};
+}
+
+}  // namespace
+
 const Json& elements(const Json& parent, const char* section) {
     static const Json none = Json::array();
     const auto found = parent.is_object() ? parent.find(section) : parent.end();
     return found != parent.end() && found->is_array() ? *found : none;
 }
 
-std::string_view compressionOf(const Json& element) {
-    const auto extensions = element.is_object() ? element.find("extensions") : element.end();
-    if (extensions == element.end() || !extensions->is_object()) return {};
-    for (const std::string_view name :
-         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"})
-        if (extensions->contains(name)) return name;
-    return {};
-}
-
-/// Whether an accessor has data of its own.
 bool hasData(const Json& root, const Json& primitive) {
     const Pointer position("/attributes/POSITION");
     if (!primitive.contains(position) || !primitive[position].is_number_integer()) return true;
@@ -102,8 +94,6 @@ std::string listed(const std::vector<std::string>& names) {
     if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
     return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + most, ", "), names.size() - most);
 }
-
-}  // namespace
 
 void refuseUnsupportedExtensions(const Json& root) {
     for (const std::string& name : namesIn(root, "extensionsRequired", true))
@@ -142,26 +132,12 @@ std::vector<std::string> notesOnExtensions(const Json& root) {
         for (const std::string& name : namesIn(root, list, false)) used.insert(oneLine(name, 60));
     std::vector<std::string> looks, others, notes;
     for (const std::string& name : used) {
-        if (isRead(name) || name == "KHR_animation_pointer") continue;
+        if (isRead(name)) continue;
         (changesLooksAlone(name) ? looks : others).push_back(name);
     }
     if (!looks.empty())
         notes.push_back(fmt::format("glTF extensions that change looks alone are left out: {}", listed(looks)));
     if (!others.empty()) notes.push_back(fmt::format("glTF extensions are left out: {}", listed(others)));
-
-    std::size_t channels = 0;
-    std::set<std::string> driven;
-    const Pointer place("/target/extensions/KHR_animation_pointer/pointer");
-    for (const Json& animation : elements(root, "animations"))
-        for (const Json& channel : elements(animation, "channels")) {
-            if (!channel.is_object() || !channel.contains(place) || !channel[place].is_string()) continue;
-            ++channels;
-            driven.insert(oneLine(channel[place].get<std::string>(), 80));
-        }
-    if (channels > 0)
-        notes.push_back(fmt::format("{} animated {} left out (KHR_animation_pointer): {}", channels,
-                                    channels == 1 ? "property is" : "properties are",
-                                    listed({driven.begin(), driven.end()})));
     return notes;
 }
 

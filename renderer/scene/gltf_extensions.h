@@ -14,8 +14,16 @@ void refuseUnsupportedExtensions(const nlohmann::json& root);
 /// the extension is not required. `root` has passed checkStructure().
 void refuseCompressedGeometry(const nlohmann::json& root);
 
-/// Notes on the extensions that the file uses and that are left out, each named once, and on animated properties that
-/// are left out with them.
+/// Notes on the extensions that the file uses and that are left out, each named once.
 std::vector<std::string> notesOnExtensions(const nlohmann::json& root);
+
+/// The elements of a section; none where there is no such list.
+const nlohmann::json& elements(const nlohmann::json& parent, const char* section);
+
+/// Whether a primitive is there in another form than compressed: its positions have data of their own.
+bool hasData(const nlohmann::json& root, const nlohmann::json& primitive);
+
+/// The first few names, and how many more there are.
+std::string listed(const std::vector<std::string>& names);
 
 }  // namespace timeshade::gltf

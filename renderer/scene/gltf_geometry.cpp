@@ -17,6 +17,12 @@ namespace {
 /// Farther positions have no useful precision in float, and their products overflow.
 constexpr float farthest = 1e15f;
 
+/// What primitives lack or lose.
+struct Lacks {
+    std::size_t coordinates = 0;  ///< primitives without those that their material's textures read
+    std::vector<std::string> notes;
+};
+
 enum Mode { TriangleList = 4, TriangleStrip = 5, TriangleFan = 6 };
 
 bool drawable(const Primitive& primitive) { return primitive.mode >= TriangleList && primitive.position >= 0; }
@@ -140,7 +146,79 @@ std::vector<JointSet> readJointSets(const Model& model, const Primitive& primiti
     return sets;
 }
 
-Geometry readGeometry(const Model& model, const Primitive& primitive, std::size_t jointCount, const std::string& what) {
+/// One value per vertex of the texture coordinates that a material's textures read; zeros where the file has none.
+std::vector<glm::vec2> readCoordinates(const Model& model, const Primitive& primitive, const CoordinateSource& source,
+                                       std::size_t vertexCount, const std::string& what) {
+    const auto set = primitive.textureCoordinates.find(source.set);
+    if (set == primitive.textureCoordinates.end()) return std::vector<glm::vec2>(vertexCount, glm::vec2(0.0f));
+    auto read = readAttribute<glm::vec2>(model, set->second, Integers::Quantized, vertexCount,
+                                         fmt::format("{} TEXCOORD_{}", what, source.set));
+    if (source.fromSet != glm::dmat3(1.0))
+        for (glm::vec2& place : read) place = glm::vec2(source.fromSet * glm::dvec3(place, 1.0));
+    return read;
+}
+
+void readAllCoordinates(const Model& model, const Primitive& primitive, Geometry& geometry, Lacks& lacks,
+                        const std::string& what) {
+    const std::size_t vertexCount = geometry.positions.size();
+    const MaterialSource none;
+    const MaterialSource& material =
+        primitive.material < 0 ? none : model.materials[static_cast<std::size_t>(primitive.material)];
+    const auto read = [&](std::size_t list) {
+        return readCoordinates(model, primitive, material.coordinates[list], vertexCount, what);
+    };
+    geometry.textureCoordinates = read(0);
+    if (material.coordinates.size() > 1) {
+        model.memory->take(vertexCount, sizeof(glm::vec4), what);
+        geometry.moreCoordinates.resize(vertexCount, glm::vec4(0.0f));
+    }
+    for (std::size_t list = 1; list < material.coordinates.size(); ++list) {
+        const std::vector<glm::vec2> places = read(list);
+        for (std::size_t v = 0; v < vertexCount; ++v) {
+            geometry.moreCoordinates[v][list == 1 ? 0 : 2] = places[v].x;
+            geometry.moreCoordinates[v][list == 1 ? 1 : 3] = places[v].y;
+        }
+    }
+    const auto lacking = [&](const CoordinateSource& source) {
+        return !primitive.textureCoordinates.contains(source.set);
+    };
+    if (material.textured && std::any_of(material.coordinates.begin(), material.coordinates.end(), lacking))
+        ++lacks.coordinates;
+}
+
+/// Colours, which change looks alone: where they can't be read, there is a note.
+std::vector<glm::vec4> readColours(const Model& model, const Primitive& primitive, std::size_t vertexCount,
+                                   std::vector<std::string>& notes, const std::string& what) {
+    if (primitive.colours < 0) return {};
+    std::vector<glm::vec4> colours;
+    try {
+        if (model.accessors[static_cast<std::size_t>(primitive.colours)].components == 4) {
+            colours = readAttribute<glm::vec4>(model, primitive.colours, Integers::Normalized, vertexCount,
+                                               what + " COLOR_0");
+        } else {
+            model.memory->take(vertexCount, sizeof(glm::vec4), what + " COLOR_0");
+            for (const glm::vec3& rgb : readAttribute<glm::vec3>(model, primitive.colours, Integers::Normalized,
+                                                                 vertexCount, what + " COLOR_0"))
+                colours.emplace_back(rgb, 1.0f);
+        }
+    } catch (const Error& error) {
+        notes.push_back(fmt::format("vertex colours are left out: {}", error.what()));
+        return {};
+    }
+    bool held = false, white = true;
+    for (glm::vec4& colour : colours) {
+        const glm::vec4 within = glm::clamp(colour, 0.0f, 1.0f);
+        held = held || within != colour;
+        white = white && within == glm::vec4(1.0f);
+        colour = within;
+    }
+    if (held) notes.push_back(fmt::format("{} COLOR_0 has colours beyond 0 to 1, which are held there", what));
+    if (white) colours.clear();
+    return colours;
+}
+
+Geometry readGeometry(const Model& model, const Primitive& primitive, std::size_t jointCount, Lacks& lacks,
+                      const std::string& what) {
     Geometry geometry;
     const auto vertexCount = static_cast<std::size_t>(countOf(model, primitive.position));
     geometry.positions = readPositions(model, primitive.position, vertexCount, what + " POSITION");
@@ -149,9 +227,8 @@ Geometry readGeometry(const Model& model, const Primitive& primitive, std::size_
     model.memory->take(vertexCount, sizeof(glm::vec3) + sizeof(glm::vec2), what);
     model.memory->take(geometry.triangles.size(), sizeof(glm::u32vec3), what);
     geometry.normals = readNormals(model, primitive, geometry, what);
-    geometry.textureCoordinates = readAttribute<glm::vec2>(model, primitive.textureCoordinates, Integers::Quantized,
-                                                           vertexCount, what + " TEXCOORD_0");
-    geometry.textureCoordinates.resize(vertexCount, glm::vec2(0.0f));
+    readAllCoordinates(model, primitive, geometry, lacks, what);
+    geometry.colours = readColours(model, primitive, vertexCount, lacks.notes, what);
     if (jointCount > 0) geometry.jointSets = readJointSets(model, primitive, vertexCount, jointCount, what);
     for (const MorphTarget& target : primitive.targets) {
         MorphDeltas deltas;
@@ -174,19 +251,37 @@ void spend(std::size_t& used, std::uint64_t amount, const Budget& budget, const 
 // What one more vertex and one more triangle of an instance take, as measured: in the topology and the poses that are
 // compared while loading, in a frame's two ends, packed for the device and in its buffers.
 constexpr std::uint64_t bytesPerVertex = 480, bytesPerTriangle = 700;
+// Of a vertex with colours or more texture coordinates beside: in the topology, its copies and the device's buffers.
+constexpr std::uint64_t bytesPerLook = 4 * sizeof(glm::vec4);
 
 void spendOnPrimitive(const Model& model, const Primitive& primitive, Budget& budget) {
     const std::uint64_t vertices = countOf(model, primitive.position);
-    const std::uint64_t corners = primitive.indices >= 0 ? countOf(model, primitive.indices) : vertices;
     spend(budget.vertices, vertices, budget, "vertices");
     // Targets are stored per mesh, their weights per node; counting per node bounds both.
     for (std::size_t target = 0; target < primitive.targets.size(); ++target)
         spend(budget.morphs, vertices, budget, "vertices of morph targets");
-    const std::uint64_t triangles = primitive.mode == TriangleList ? corners / 3 : corners;
-    spend(budget.triangles, triangles, budget, "triangles");
+    spend(budget.triangles, mostTrianglesOf(model, primitive), budget, "triangles");
+}
+
+/// A scene of which one vertex has a colour holds one for each.
+void takeForLooks(const Model& model, const std::vector<std::vector<Geometry>>& geometries, std::size_t vertices) {
+    bool colours = false, coordinates = false;
+    for (const std::vector<Geometry>& mesh : geometries)
+        for (const Geometry& geometry : mesh) {
+            colours = colours || !geometry.colours.empty();
+            coordinates = coordinates || !geometry.moreCoordinates.empty();
+        }
+    for (const auto& [has, what] : {std::pair{colours, "vertex colours"}, {coordinates, "more texture coordinates"}})
+        if (has) model.memory->take(vertices, bytesPerLook, fmt::format("its {} over all instances", what));
 }
 
 }  // namespace
+
+std::uint64_t mostTrianglesOf(const Model& model, const Primitive& primitive) {
+    if (!drawable(primitive)) return 0;
+    const std::uint64_t corners = countOf(model, primitive.indices >= 0 ? primitive.indices : primitive.position);
+    return primitive.mode == TriangleList ? corners / 3 : corners;
+}
 
 std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes,
                                                   const LoadingWatch& watch) {
@@ -208,6 +303,7 @@ std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget bud
 
     std::vector<std::vector<Geometry>> geometries(model.meshes.size());
     std::size_t skipped = 0;
+    Lacks lacks;
     for (std::size_t m = 0; m < model.meshes.size(); ++m) {
         watch({"meshes", m, model.meshes.size()});
         for (std::size_t p = 0; uses[m] > 0 && p < model.meshes[m].primitives.size(); ++p) {
@@ -216,11 +312,16 @@ std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget bud
                 ++skipped;
             else
                 geometries[m].push_back(
-                    readGeometry(model, primitive, jointCounts[m], fmt::format("mesh {} primitive {}", m, p)));
+                    readGeometry(model, primitive, jointCounts[m], lacks, fmt::format("mesh {} primitive {}", m, p)));
         }
     }
+    takeForLooks(model, geometries, budget.vertices);
     if (skipped > 0)
         notes.push_back(fmt::format("{} primitives of points, lines or without positions are left out", skipped));
+    if (lacks.coordinates > 0)
+        notes.push_back(fmt::format("{} primitives lack texture coordinates that their textures read; they get 0, 0",
+                                    lacks.coordinates));
+    notes.insert(notes.end(), lacks.notes.begin(), lacks.notes.end());
     return geometries;
 }
 

@@ -17,6 +17,9 @@ struct Budget {
     std::size_t morphs = 0;  ///< vertices of morph targets
 };
 
+/// The most triangles that a primitive may become; 0 where it has none to draw. Its accessors must be valid.
+std::uint64_t mostTrianglesOf(const Model& model, const Primitive& primitive);
+
 /// Reads the primitives of every mesh that the shown scene uses; other meshes stay empty. Throws Error for broken data,
 /// and, before anything large is allocated, if the budget is exceeded.
 std::vector<std::vector<Geometry>> readGeometries(const Model& model, Budget budget, std::vector<std::string>& notes,

@@ -1,7 +1,6 @@
 #include "scene/gltf_images.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <span>
@@ -49,10 +48,19 @@ class ImageShelf {
     ImageShelf(const Model& model, FilesBeside& files, std::vector<std::string>& notes)
         : model_(model), files_(files), notes_(notes) {}
 
-    /// The image index of a texture, or -1.
-    int indexOf(int texture) {
-        if (texture < 0) return -1;
-        const int source = model_.textureImages[static_cast<std::size_t>(texture)];
+    /// Puts the image's index in place of the texture's, or -1, and says how the texture wraps.
+    void resolve(TextureUse& use) {
+        if (use.image < 0) return;
+        const Texture& texture = model_.textures[static_cast<std::size_t>(use.image)];
+        use.wrapU = texture.wrapU;
+        use.wrapV = texture.wrapV;
+        use.image = indexOf(use.image, texture.image);
+    }
+
+    std::vector<Image> images;
+
+  private:
+    int indexOf(int texture, int source) {
         if (source < 0) {
             if (noSource_++ == 0) notes_.push_back(fmt::format("texture {} has no image that can be read", texture));
             return -1;
@@ -61,9 +69,6 @@ class ImageShelf {
         return known_[source] = load(model_.images[static_cast<std::size_t>(source)]);
     }
 
-    std::vector<Image> images;
-
-  private:
     int load(const ImageSource& source) {
         try {
             std::shared_ptr<const Bytes> file;
@@ -87,48 +92,25 @@ class ImageShelf {
     int noSource_ = 0;
 };
 
-/// The mean of an sRGB image's colour, linear.
-glm::vec3 meanColour(const Image& image) {
-    const auto linear = [](std::uint8_t byte) {
-        const double c = byte / 255.0;
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
-    glm::dvec3 sum(0.0);
-    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
-        sum += glm::dvec3(linear(image.rgba[i]), linear(image.rgba[i + 1]), linear(image.rgba[i + 2]));
-    return glm::vec3(sum / std::max(1.0, static_cast<double>(image.rgba.size() / 4)));
-}
-
 }  // namespace
 
 Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes, const LoadingWatch& watch) {
     ImageShelf shelf(model, files, notes);
     Looks looks;
-    std::size_t otherCoordinates = 0;
     std::size_t transparent = 0;
-    std::size_t shining = 0;
     for (const MaterialSource& source : model.materials) {
         watch({"materials", looks.materials.size(), model.materials.size()});
-        looks.materials.push_back(source.material);
-        looks.materials.back().baseColorImage = shelf.indexOf(source.baseColorTexture);
-        looks.materials.back().metallicRoughnessImage = shelf.indexOf(source.metallicRoughnessTexture);
+        Material& material = looks.materials.emplace_back(source.material);
+        if (material.emissiveFactor == glm::vec3(0.0f)) material.emissive = {};
+        const bool shines = material.emissive.image >= 0;
+        for (TextureUse* use : {&material.baseColor, &material.metallicRoughness, &material.emissive})
+            shelf.resolve(*use);
         // A factor without its texture would shine where the texture is dark.
-        glm::vec3& emissive = looks.materials.back().emissiveFactor;
-        if (source.emissiveTexture >= 0 && emissive != glm::vec3(0.0f)) {
-            const int image = shelf.indexOf(source.emissiveTexture);
-            emissive *= image < 0 ? glm::vec3(0.0f) : meanColour(shelf.images[static_cast<std::size_t>(image)]);
-            ++shining;
-        }
-        if (source.otherCoordinates) ++otherCoordinates;
+        if (shines && material.emissive.image < 0) material.emissiveFactor = glm::vec3(0.0f);
         if (source.transparent) ++transparent;
     }
     looks.materials.emplace_back().name = "default";
     looks.images = std::move(shelf.images);
-    if (otherCoordinates > 0)
-        notes.push_back(fmt::format(
-            "{} materials use other texture coordinates than TEXCOORD_0 as it is; they get those", otherCoordinates));
-    if (shining > 0)
-        notes.push_back(fmt::format("{} materials shine evenly, with the mean of their emissive texture", shining));
     if (transparent > 0) notes.push_back(fmt::format("{} transparent materials are drawn opaque", transparent));
     return looks;
 }

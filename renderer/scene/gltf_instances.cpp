@@ -71,12 +71,21 @@ std::vector<SkinFacts> factsOf(const std::vector<SkinBinding>& skins, const Node
 
 glm::u32vec3 turnedRound(const glm::u32vec3& triangle) { return {triangle.x, triangle.z, triangle.y}; }
 
+/// Appends a list with one value a vertex that may be empty, to one that stays empty as long as all are.
+void append(std::vector<glm::vec4>& list, const std::vector<glm::vec4>& values, std::size_t first, float otherwise) {
+    if (values.empty()) return;
+    list.resize(first, glm::vec4(otherwise));
+    list.insert(list.end(), values.begin(), values.end());
+}
+
 void appendTopology(MeshTopology& topology, std::vector<char>& used, const Instance& instance, std::uint32_t material,
                     std::uint32_t number) {
     const Geometry& geometry = *instance.geometry;
     const auto first = static_cast<std::uint32_t>(instance.firstVertex);
     topology.textureCoordinates.insert(topology.textureCoordinates.end(), geometry.textureCoordinates.begin(),
                                        geometry.textureCoordinates.end());
+    append(topology.moreCoordinates, geometry.moreCoordinates, instance.firstVertex, 0.0f);
+    append(topology.colours, geometry.colours, instance.firstVertex, 1.0f);
     used.resize(used.size() + geometry.positions.size(), 0);
     for (const glm::u32vec3& triangle : geometry.triangles) {
         const glm::u32vec3 placed = (instance.mirrored ? turnedRound(triangle) : triangle) + first;
@@ -134,6 +143,8 @@ Stage buildStage(const Model& model, const NodeMotion& motion, std::vector<std::
     }
     if (topology->triangles.empty()) throw Error("has no triangles to show");
     if (flipped > 0) notes.push_back(fmt::format("{} mirrored instances have their triangles turned round", flipped));
+    if (!topology->moreCoordinates.empty()) topology->moreCoordinates.resize(topology->vertexCount, glm::vec4(0.0f));
+    if (!topology->colours.empty()) topology->colours.resize(topology->vertexCount, glm::vec4(1.0f));
     topology->instanceCount = number;
     stage.topology = std::move(topology);
     stage.turningNodes = turningNodes(stage, facts, motion);

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "scene/gltf_accessors.h"
+#include "scene/gltf_geometry.h"
 
 namespace timeshade::gltf {
 
@@ -38,17 +39,6 @@ std::uint64_t countOf(const Model& model, const std::vector<Attribute>& attribut
                                     elements(attribute), first->name, elements(*first)));
     }
     return first == nullptr ? 0 : model.accessors[std::size_t(first->accessor)].count;
-}
-
-std::uint64_t trianglesOf(const Model& model, const Mesh& mesh) {
-    std::uint64_t triangles = 0;
-    for (const Primitive& primitive : mesh.primitives) {
-        const int corners = primitive.indices >= 0 ? primitive.indices : primitive.position;
-        if (primitive.position < 0 || primitive.mode < 4) continue;
-        const std::uint64_t count = model.accessors[static_cast<std::size_t>(corners)].count;
-        triangles += primitive.mode == 4 ? count / 3 : count;
-    }
-    return triangles;
 }
 
 std::vector<LocalTransform> readTransforms(const Model& model, const std::vector<Attribute>& attributes,
@@ -109,7 +99,9 @@ void expandInstances(Model& model, std::size_t mostTriangles) {
             model.notes.push_back(fmt::format("node {} has a skin and {} instances; one is drawn", n, count));
             continue;
         }
-        const std::uint64_t each = trianglesOf(model, model.meshes[static_cast<std::size_t>(model.nodes[n].mesh)]);
+        std::uint64_t each = 0;
+        for (const Primitive& primitive : model.meshes[static_cast<std::size_t>(model.nodes[n].mesh)].primitives)
+            each += mostTrianglesOf(model, primitive);
         if (count > mostTriangles || each * count > mostTriangles - triangles)
             throw Error(fmt::format("{}: {} of {} triangles each; the limit is {} triangles over all instances", what,
                                     count, each, mostTriangles));

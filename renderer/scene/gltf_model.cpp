@@ -1,6 +1,7 @@
 #include "scene/gltf_model.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -8,14 +9,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-// tinygltf only parses the structure. This importer reads files and images itself.
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#include <tiny_gltf.h>
-
 #include "core/error.h"
 #include "core/one_line.h"
+#include "scene/gltf_compression.h"
 #include "scene/gltf_extensions.h"
+#include "scene/gltf_materials.h"
+#include "scene/gltf_pointers.h"
 
 namespace timeshade::gltf {
 
@@ -25,11 +24,27 @@ bool keepNoImage(tinygltf::Image*, const int, std::string*, std::string*, int, i
     return true;
 }
 
+/// Calls `found` for each primitive that has a compressed form, with the numbers of its mesh and of itself in it.
+template <typename Root, typename Found>
+void forCompressedPrimitives(Root& root, const Found& found) {
+    const auto meshes = root.find("meshes");
+    for (std::size_t m = 0; meshes != root.end() && m < meshes->size(); ++m) {
+        const auto primitives = (*meshes)[m].find("primitives");
+        if (primitives == (*meshes)[m].end() || !primitives->is_array()) continue;
+        for (std::size_t p = 0; p < primitives->size(); ++p)
+            if ((*primitives)[p].contains(nlohmann::json::json_pointer("/extensions/KHR_draco_mesh_compression")))
+                found((*primitives)[p], m, p);
+    }
+}
+
 tinygltf::Model parseStructure(const Document& document) {
     // Without these sections tinygltf opens no file and decodes nothing.
     nlohmann::json bare = document.json;
     bare.erase("buffers");
     bare.erase("images");
+    // It expects data of its own behind all indices.
+    forCompressedPrimitives(bare,
+                            [](nlohmann::json& primitive, std::size_t, std::size_t) { primitive.erase("indices"); });
     const std::string text = bare.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     bare = nullptr;
 
@@ -98,7 +113,15 @@ Primitive convert(const tinygltf::Primitive& from) {
     Primitive to;
     to.position = found(from.attributes, "POSITION");
     to.normal = found(from.attributes, "NORMAL");
-    to.textureCoordinates = found(from.attributes, "TEXCOORD_0");
+    to.colours = found(from.attributes, "COLOR_0");
+    const std::string coordinates = "TEXCOORD_";
+    for (const auto& [name, accessor] : from.attributes) {
+        int set = 0;
+        const char* const end = name.data() + name.size();
+        if (name.starts_with(coordinates) && name.size() > coordinates.size() &&
+            std::from_chars(name.data() + coordinates.size(), end, set).ptr == end)
+            to.textureCoordinates.emplace(set, accessor);
+    }
     for (const char* set : {"0", "1"}) {
         const int joints = found(from.attributes, std::string("JOINTS_") + set);
         const int weights = found(from.attributes, std::string("WEIGHTS_") + set);
@@ -127,13 +150,20 @@ void requireJointsAndWeights(const std::vector<tinygltf::Mesh>& meshes) {
 
 /// What of the primitives is not read, named once.
 void noteAttributes(const std::vector<tinygltf::Mesh>& meshes, std::vector<std::string>& notes) {
-    std::size_t coloured = 0, manyJoints = 0;
+    std::size_t morphedLooks = 0, manyJoints = 0;
     for (const tinygltf::Mesh& mesh : meshes)
         for (const tinygltf::Primitive& primitive : mesh.primitives) {
-            if (primitive.attributes.contains("COLOR_0")) ++coloured;
+            const auto changesLooks = [](const std::map<std::string, int>& target) {
+                return std::any_of(target.begin(), target.end(), [](const auto& attribute) {
+                    return attribute.first.starts_with("COLOR_") || attribute.first.starts_with("TEXCOORD_");
+                });
+            };
+            if (std::any_of(primitive.targets.begin(), primitive.targets.end(), changesLooks)) ++morphedLooks;
             if (primitive.attributes.contains("JOINTS_2")) ++manyJoints;
         }
-    if (coloured > 0) notes.push_back(fmt::format("vertex colours of {} primitives are left out", coloured));
+    if (morphedLooks > 0)
+        notes.push_back(
+            fmt::format("{} primitives morph colours or texture coordinates; these stay as they are", morphedLooks));
     if (manyJoints > 0)
         notes.push_back(fmt::format("{} primitives have more than 8 joints a vertex; the first 8 count", manyJoints));
 }
@@ -205,35 +235,9 @@ Animation convert(const tinygltf::Animation& from) {
     return to;
 }
 
-float unit(double value, double fallback) {
-    return static_cast<float>(std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : fallback);
-}
-
-MaterialSource convert(const tinygltf::Material& from, std::size_t index) {
-    MaterialSource to;
-    const auto& pbr = from.pbrMetallicRoughness;
-    to.material.name = from.name.empty() ? fmt::format("material {}", index) : oneLine(from.name);
-    for (int i = 0; i < 4 && pbr.baseColorFactor.size() == 4; ++i)
-        to.material.baseColorFactor[i] = unit(pbr.baseColorFactor[static_cast<std::size_t>(i)], 1.0);
-    for (int i = 0; i < 3 && from.emissiveFactor.size() == 3; ++i)
-        to.material.emissiveFactor[i] = unit(from.emissiveFactor[static_cast<std::size_t>(i)], 0.0);
-    to.material.metallicFactor = unit(pbr.metallicFactor, 1.0);
-    to.material.roughnessFactor = unit(pbr.roughnessFactor, 1.0);
-    to.material.doubleSided = from.doubleSided;
-    to.transparent = from.alphaMode != "OPAQUE";
-    to.baseColorTexture = pbr.baseColorTexture.index;
-    to.metallicRoughnessTexture = pbr.metallicRoughnessTexture.index;
-    to.emissiveTexture = from.emissiveTexture.index;
-    for (const auto* texture : {&pbr.baseColorTexture, &pbr.metallicRoughnessTexture})
-        to.otherCoordinates =
-            to.otherCoordinates ||
-            (texture->index >= 0 && (texture->texCoord != 0 || texture->extensions.contains("KHR_texture_transform")));
-    return to;
-}
-
 Light convert(const tinygltf::Light& from) {
-    Light to{oneLine(from.name),      from.type, glm::dvec3(1.0), from.intensity, from.spot.innerConeAngle,
-             from.spot.outerConeAngle};
+    Light to{oneLine(from.name),       from.type, glm::dvec3(1.0), from.intensity, from.spot.innerConeAngle,
+             from.spot.outerConeAngle, from.range};
     if (from.color.size() == 3) to.colour = glm::make_vec3(from.color.data());
     return to;
 }
@@ -286,11 +290,15 @@ Model readModel(const Document& document) {
     requireJointsAndWeights(from.meshes);
     noteAttributes(from.meshes, to.notes);
     for (const auto& mesh : from.meshes) to.meshes.push_back(convert(mesh));
+    forCompressedPrimitives(document.json, [&](const nlohmann::json& primitive, std::size_t m, std::size_t p) {
+        if (primitive.contains("indices") && p < to.meshes.at(m).primitives.size())
+            to.meshes[m].primitives[p].indices = primitive["indices"].get<int>();
+    });
     for (const auto& node : from.nodes) to.nodes.push_back(convert(node));
     for (const auto& skin : from.skins) to.skins.push_back({skin.joints, skin.inverseBindMatrices});
     for (const auto& animation : from.animations) to.animations.push_back(convert(animation));
-    for (const auto& material : from.materials) to.materials.push_back(convert(material, to.materials.size()));
-    for (const auto& texture : from.textures) to.textureImages.push_back(texture.source);
+    readPointers(document.json, to);
+    readMaterials(from, to);
     for (const auto& camera : from.cameras)
         to.cameras.push_back(
             {oneLine(camera.name), camera.type == "perspective", camera.perspective.yfov, camera.perspective.znear});
@@ -310,6 +318,11 @@ void loadBuffers(Model& model, const Document& document, FilesBeside& files) {
         const std::size_t index = model.buffers.size();
         const auto length = buffer.find("byteLength");
         if (length == buffer.end()) throw Error(fmt::format("buffer {} has no byteLength", index));
+        if (isFallback(buffer)) {
+            model.bufferLengths.push_back(0);
+            model.buffers.push_back(std::make_shared<const Bytes>());
+            continue;
+        }
         const auto uri = buffer.find("uri");
         if (uri != buffer.end() && !uri->is_string())
             throw Error(fmt::format("buffer {} has a URI that is no text", index));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,8 +62,9 @@ struct MorphTarget {
 struct Primitive {
     int position = -1;
     int normal = -1;
-    int textureCoordinates = -1;
-    std::vector<int> joints;  ///< JOINTS_0 and JOINTS_1, as many as there are, both lists of one length
+    int colours = -1;
+    std::map<int, int> textureCoordinates;  ///< by set: 0 for TEXCOORD_0 and so on
+    std::vector<int> joints;                ///< JOINTS_0 and JOINTS_1, as many as there are, both lists of one length
     std::vector<int> weights;
     std::vector<MorphTarget> targets;
     int indices = -1;
@@ -112,7 +114,19 @@ struct Skin {
 };
 
 enum class Interpolation { Step, Linear, CubicSpline };
-enum class TargetPath { Translation, Rotation, Scale, Weights, Other };
+/// What a channel drives: of a node, or from Colour on of a light.
+enum class TargetPath {
+    Translation,
+    Rotation,
+    Scale,
+    Weights,
+    Other,
+    Colour,
+    Intensity,
+    Range,
+    InnerConeAngle,
+    OuterConeAngle
+};
 
 struct AnimationSampler {
     int input = -1;
@@ -122,8 +136,9 @@ struct AnimationSampler {
 
 struct AnimationChannel {
     int sampler = -1;
-    int node = -1;
+    int node = -1;  ///< -1 where a light is driven
     TargetPath path = TargetPath::Other;
+    int light = -1;
 };
 
 struct Animation {
@@ -146,16 +161,28 @@ struct Light {
     double intensity = 1.0;
     double innerConeAngle = 0.0;
     double outerConeAngle = 0.785398163397448;
+    double range = 0.0;  ///< 0: none
 };
 
-/// Material of the file; its image indices are texture indices until the images have been read.
+/// Texture coordinates as a texture of a material reads them: those of a set, with the texture's transform.
+struct CoordinateSource {
+    int set = 0;
+    glm::dmat3 fromSet{1.0};  ///< affine, of (u, v, 1)
+    bool operator==(const CoordinateSource&) const = default;
+};
+
+/// Material of the file; the images of its textures are texture indices until the images have been read.
 struct MaterialSource {
     Material material;
-    int baseColorTexture = -1;
-    int metallicRoughnessTexture = -1;
-    int emissiveTexture = -1;
-    bool transparent = false;       ///< blended or cut out; drawn opaque
-    bool otherCoordinates = false;  ///< a texture uses coordinates that are not read, or a transform
+    /// What the geometry's texture coordinates 0, 1, 2 are, as many as the material needs, at least one.
+    std::vector<CoordinateSource> coordinates{CoordinateSource{}};
+    bool textured = false;
+    bool transparent = false;  ///< blended or cut out; drawn opaque
+};
+
+struct Texture {
+    int image = -1;  ///< -1 for none
+    Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
 };
 
 struct ImageSource {
@@ -177,7 +204,7 @@ struct Model {
     std::vector<Skin> skins;
     std::vector<Animation> animations;
     std::vector<MaterialSource> materials;
-    std::vector<int> textureImages;  ///< image of each texture, -1 for none
+    std::vector<Texture> textures;
     std::vector<ImageSource> images;
     std::vector<Camera> cameras;
     std::vector<Light> lights;

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/one_line.h"
 #include "scene/clip_clock.h"
+#include "scene/gltf_compression.h"
 #include "scene/gltf_defaults.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_geometry.h"
@@ -69,11 +70,11 @@ class GltfScene final : public Scene {
         moves_ =
             std::any_of(stage_.instances.begin(), stage_.instances.end(), [](const Instance& i) { return i.moves; });
         measure(watch);
-        views_ = readViews(model, bounds_, notes_);
+        views_ = readViews(model, motion_.clip(), bounds_, notes_);
         const auto moving = [&](int node) { return node >= 0 && motion_.moves(node); };
-        const bool viewsMove =
-            moving(views_.light.node) || std::any_of(views_.cameras.begin(), views_.cameras.end(),
-                                                     [&](const PlacedCamera& c) { return moving(c.node); });
+        const bool viewsMove = moving(views_.light.node) || !views_.light.tracks.empty() ||
+                               std::any_of(views_.cameras.begin(), views_.cameras.end(),
+                                           [&](const PlacedCamera& c) { return moving(c.node); });
         duration_ = moves_ || viewsMove ? motion_.clip().duration : 0.0;
         clock_ = ClipClock(duration_, endMeetsStart());
         if (moves_) probes_ = probesOf(model, stage_);
@@ -132,10 +133,10 @@ class GltfScene final : public Scene {
     }
     LightPose lightAt(const ClipInstant& instant) const {
         const PlacedLight& light = views_.light;
-        return light.node < 0 ? light.pose : placedLight(motion_.worldFromNode(light.node, instant));
+        return light.node < 0 ? light.pose : placedLight(motion_.worldFromNode(light.node, instant), instant);
     }
     CameraPose placedCamera(const PlacedCamera& camera, const glm::dmat4& worldFromNode) const;
-    LightPose placedLight(const glm::dmat4& worldFromNode) const;
+    LightPose placedLight(const glm::dmat4& worldFromNode, const ClipInstant& instant) const;
     bool viewsLoop(const Pose& start, const Pose& end) const;
     void measure(const LoadingWatch& watch);
     bool endMeetsStart() const;
@@ -167,8 +168,8 @@ CameraPose GltfScene::placedCamera(const PlacedCamera& camera, const glm::dmat4&
     return pose;
 }
 
-LightPose GltfScene::placedLight(const glm::dmat4& worldFromNode) const {
-    LightPose pose = views_.light.pose;
+LightPose GltfScene::placedLight(const glm::dmat4& worldFromNode, const ClipInstant& instant) const {
+    LightPose pose = views_.light.at(instant);
     pose.position = glm::dvec3(worldFromNode[3]);
     pose.axes = rotationOf(worldFromNode);
     if (views_.light.aimed) {
@@ -220,9 +221,15 @@ bool GltfScene::viewsLoop(const Pose& start, const Pose& end) const {
         if (!same(a.eye, a.axes, b.eye, b.axes)) return false;
     }
     if (views_.light.node < 0) return true;
-    const LightPose a = placedLight(start.worldFromNode[static_cast<std::size_t>(views_.light.node)]);
-    const LightPose b = placedLight(end.worldFromNode[static_cast<std::size_t>(views_.light.node)]);
-    return same(a.position, a.axes, b.position, b.axes);
+    const auto node = static_cast<std::size_t>(views_.light.node);
+    const LightPose a = placedLight(start.worldFromNode[node], ClipInstant::of(0.0));
+    const LightPose b = placedLight(end.worldFromNode[node], ClipInstant::of(duration_));
+    const double brightest = std::max(glm::length(a.intensity), glm::length(b.intensity));
+    const bool alike = glm::length(a.intensity - b.intensity) <= seamTolerance * brightest &&
+                       std::abs(a.outerConeAngle - b.outerConeAngle) <= seamTolerance &&
+                       std::abs(a.innerConeAngle - b.innerConeAngle) <= seamTolerance &&
+                       std::abs(a.range - b.range) <= seamTolerance * bounds_.diagonal();
+    return alike && same(a.position, a.axes, b.position, b.axes);
 }
 
 /// Whether the end of the clip equals its start.
@@ -315,6 +322,7 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     Model model = readModel(document);
     watch({"buffers"});
     loadBuffers(model, document, files);
+    decompress(model, document.json);
     validate(model);
     expandInstances(model, options.maxTriangles);
 

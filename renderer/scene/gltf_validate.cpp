@@ -101,9 +101,9 @@ void checkMeshes(const Model& model) {
             if (primitive.mode < 0 || primitive.mode > 6)
                 throw Error(fmt::format("{} has the primitive mode {}, expected 0 to 6", where, primitive.mode));
             const std::size_t count = model.accessors.size();
-            for (const int index :
-                 {primitive.position, primitive.normal, primitive.textureCoordinates, primitive.indices})
+            for (const int index : {primitive.position, primitive.normal, primitive.colours, primitive.indices})
                 allowIndex(index, count, where, "accessor");
+            for (const auto& [set, index] : primitive.textureCoordinates) requireIndex(index, count, where, "accessor");
             for (const int index : primitive.joints) requireIndex(index, count, where, "accessor");
             for (const int index : primitive.weights) requireIndex(index, count, where, "accessor");
             for (const MorphTarget& target : primitive.targets) {
@@ -216,7 +216,10 @@ void checkAnimations(const Model& model) {
         }
         for (const AnimationChannel& channel : model.animations[i].channels) {
             requireIndex(channel.sampler, model.animations[i].samplers.size(), where, "sampler");
-            requireIndex(channel.node, model.nodes.size(), where, "node");
+            if (channel.light >= 0)
+                requireIndex(channel.light, model.lights.size(), where, "light");
+            else
+                requireIndex(channel.node, model.nodes.size(), where, "node");
         }
     }
 }
@@ -224,12 +227,12 @@ void checkAnimations(const Model& model) {
 void checkMaterials(const Model& model) {
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         const std::string where = fmt::format("material {}", i);
-        allowIndex(model.materials[i].baseColorTexture, model.textureImages.size(), where, "texture");
-        allowIndex(model.materials[i].metallicRoughnessTexture, model.textureImages.size(), where, "texture");
-        allowIndex(model.materials[i].emissiveTexture, model.textureImages.size(), where, "texture");
+        const Material& material = model.materials[i].material;
+        for (const TextureUse& use : {material.baseColor, material.metallicRoughness, material.emissive})
+            allowIndex(use.image, model.textures.size(), where, "texture");
     }
-    for (std::size_t i = 0; i < model.textureImages.size(); ++i)
-        allowIndex(model.textureImages[i], model.images.size(), fmt::format("texture {}", i), "image");
+    for (std::size_t i = 0; i < model.textures.size(); ++i)
+        allowIndex(model.textures[i].image, model.images.size(), fmt::format("texture {}", i), "image");
     for (std::size_t i = 0; i < model.images.size(); ++i)
         allowIndex(model.images[i].view, model.views.size(), fmt::format("image {}", i), "bufferView");
 }

@@ -70,37 +70,81 @@ bool isOfKnownType(const Light& light) {
     return light.type == "spot" || light.type == "directional" || light.type == "point";
 }
 
-bool usable(const Light& light) {
-    const glm::dvec3 amount = light.colour * light.intensity;
-    const bool known = isOfKnownType(light);
-    const bool sane =
-        std::min({amount.x, amount.y, amount.z}) >= 0.0 && std::max({amount.x, amount.y, amount.z}) < 1e30;
-    return known && sane && std::max({amount.x, amount.y, amount.z}) > 0.0;
+bool isDriven(const Clip& clip, int light) {
+    return std::any_of(clip.lightTracks.begin(), clip.lightTracks.end(), [&](const Track& track) {
+        return track.light == light && (track.path == TargetPath::Intensity || track.path == TargetPath::Colour);
+    });
 }
 
-PlacedLight placed(const Light& light, int node, const std::string& name, std::vector<std::string>& notes) {
-    PlacedLight to;
-    to.node = node;
-    to.aimed = light.type == "point";
-    to.pose.kind = light.type == "directional" ? LightKind::Directional : LightKind::Spot;
-    to.pose.intensity = light.colour * light.intensity;
-    to.pose.outerConeAngle = to.aimed ? pointLightCone : light.outerConeAngle;
-    to.pose.innerConeAngle = to.aimed ? pointLightCone * 0.95 : light.innerConeAngle;
-    if (to.aimed)
+/// driven: its intensity or colour is animated, so that what it is at rest says little.
+bool usable(const Light& light, bool driven) {
+    const glm::dvec3 amount = light.colour * light.intensity;
+    const bool sane =
+        std::min({amount.x, amount.y, amount.z}) >= 0.0 && std::max({amount.x, amount.y, amount.z}) < 1e30;
+    return isOfKnownType(light) && (driven || (sane && std::max({amount.x, amount.y, amount.z}) > 0.0));
+}
+
+/// Intensity, cone and range of a light, held to what LightPose allows.
+void setProperties(LightPose& pose, const Light& light) {
+    pose.kind = light.type == "directional" ? LightKind::Directional : LightKind::Spot;
+    pose.intensity = glm::clamp(light.colour * light.intensity, 0.0, 1e30);
+    pose.range = light.range > 0.0 && std::isfinite(light.range) ? light.range : 0.0;
+    if (light.type == "point") {
+        pose.outerConeAngle = pointLightCone;
+        pose.innerConeAngle = pointLightCone * 0.95;
+        return;
+    }
+    pose.outerConeAngle =
+        light.outerConeAngle > 1e-3 ? std::min(light.outerConeAngle, widestCone) : LightPose{}.outerConeAngle;
+    const double widestInner = pose.outerConeAngle * 0.999;
+    pose.innerConeAngle = light.innerConeAngle >= 0.0 ? std::min(light.innerConeAngle, widestInner) : 0.0;
+}
+
+void set(Light& light, TargetPath path, const double* value) {
+    if (path == TargetPath::Colour) light.colour = {value[0], value[1], value[2]};
+    if (path == TargetPath::Intensity) light.intensity = value[0];
+    if (path == TargetPath::Range) light.range = value[0];
+    if (path == TargetPath::InnerConeAngle) light.innerConeAngle = value[0];
+    if (path == TargetPath::OuterConeAngle) light.outerConeAngle = std::max(value[0], 2e-3);
+}
+
+void noteProperties(const PlacedLight& light, const std::string& name, std::vector<std::string>& notes) {
+    if (light.aimed)
         notes.push_back(
             fmt::format("point light \"{}\" is treated as a spot of 80 degrees aimed at the scene's centre", name));
-    if (!(to.pose.outerConeAngle > 1e-3 && to.pose.outerConeAngle <= widestCone)) {
-        const double given = to.pose.outerConeAngle;
-        to.pose.outerConeAngle = given > widestCone ? widestCone : LightPose{}.outerConeAngle;
+    const double given = light.properties.outerConeAngle;
+    if (!light.aimed && !(given > 1e-3 && given <= widestCone))
         notes.push_back(fmt::format("spot light \"{}\" has an outer angle of {} radians and gets {}", name, given,
-                                    to.pose.outerConeAngle));
-    }
-    const double widestInner = to.pose.outerConeAngle * 0.999;
-    to.pose.innerConeAngle = to.pose.innerConeAngle >= 0.0 ? std::min(to.pose.innerConeAngle, widestInner) : 0.0;
+                                    light.pose.outerConeAngle));
+    if (light.tracks.empty()) return;
+    notes.push_back(
+        fmt::format("light \"{}\" has animated intensity, colour, range or cone: each frame (or motion step) has them "
+                    "as they are in the middle of its shutter",
+                    name));
+    for (const Track& track : light.tracks)
+        if (track.path == TargetPath::OuterConeAngle &&
+            std::any_of(track.values->begin(), track.values->end(),
+                        [](float angle) { return static_cast<double>(angle) > widestCone; }))
+            notes.push_back(
+                fmt::format("spot light \"{}\" opens wider than {} radians and is held there", name, widestCone));
+}
+
+PlacedLight placed(const Model& model, const Clip& clip, int node, const std::string& name,
+                   std::vector<std::string>& notes) {
+    const int number = model.nodes[static_cast<std::size_t>(node)].light;
+    PlacedLight to;
+    to.node = node;
+    to.properties = model.lights[static_cast<std::size_t>(number)];
+    to.aimed = to.properties.type == "point";
+    for (const Track& track : clip.lightTracks)
+        if (track.light == number) to.tracks.push_back(track);
+    setProperties(to.pose, to.properties);
+    noteProperties(to, name, notes);
     return to;
 }
 
-void readLight(const Model& model, const Bounds& bounds, Views& views, std::vector<std::string>& notes) {
+void readLight(const Model& model, const Clip& clip, const Bounds& bounds, Views& views,
+               std::vector<std::string>& notes) {
     // Lights with a direction are preferred to point lights, for which one has to be chosen.
     int chosen = -1;
     const auto lightOf = [&](int node) -> const Light& {
@@ -119,11 +163,11 @@ void readLight(const Model& model, const Bounds& bounds, Views& views, std::vect
                 fmt::format("light \"{}\" has the type \"{}\" and is left out; expected spot, "
                             "directional or point",
                             nameOf(node), oneLine(lightOf(node).type, 30)));
-        if (!usable(lightOf(node))) continue;
+        if (!usable(lightOf(node), isDriven(clip, model.nodes[static_cast<std::size_t>(node)].light))) continue;
         if (chosen < 0 || (lightOf(chosen).type == "point" && lightOf(node).type != "point")) chosen = node;
     }
     if (chosen >= 0)
-        views.light = placed(lightOf(chosen), chosen, nameOf(chosen), notes);
+        views.light = placed(model, clip, chosen, nameOf(chosen), notes);
     else
         views.light.pose = fittedLight(bounds);
 
@@ -139,10 +183,23 @@ void readLight(const Model& model, const Bounds& bounds, Views& views, std::vect
 
 }  // namespace
 
-Views readViews(const Model& model, const Bounds& bounds, std::vector<std::string>& notes) {
+LightPose PlacedLight::at(const ClipInstant& instant) const {
+    if (tracks.empty()) return pose;
+    Light now = properties;
+    for (const Track& track : tracks) {
+        double value[3];
+        track.sample(ClipInstant::of(instant.steps), value);
+        set(now, track.path, value);
+    }
+    LightPose then = pose;
+    setProperties(then, now);
+    return then;
+}
+
+Views readViews(const Model& model, const Clip& clip, const Bounds& bounds, std::vector<std::string>& notes) {
     Views views;
     readCameras(model, bounds, views, notes);
-    readLight(model, bounds, views, notes);
+    readLight(model, clip, bounds, views, notes);
     return views;
 }
 

@@ -17,6 +17,13 @@ struct PlacedLight {
     int node = -1;
     bool aimed = false;  ///< a point light: it has no direction, so it looks at the scene's centre
     LightPose pose;      ///< position and axes are overwritten by the node's
+    /// At rest, and what the clip drives of it: colour, intensity, range and cone.
+    Light properties;
+    std::vector<Track> tracks;
+
+    /// The pose with the properties of a time. All of a shutter have those of its middle, `steps`: linear changes of
+    /// intensity get their mean.
+    LightPose at(const ClipInstant& instant) const;
 };
 
 struct Views {
@@ -26,6 +33,6 @@ struct Views {
 };
 
 /// Cameras and the light of the shown scene, or fitted ones where the file has none.
-Views readViews(const Model& model, const Bounds& bounds, std::vector<std::string>& notes);
+Views readViews(const Model& model, const Clip& clip, const Bounds& bounds, std::vector<std::string>& notes);
 
 }  // namespace timeshade::gltf

@@ -16,6 +16,7 @@ struct LightPose {
     glm::dvec3 intensity{1.0, 1.0, 1.0};  ///< linear RGB, times candela (spot) or lux (directional)
     double innerConeAngle = 0.0;          ///< radians from the axis, 0 <= inner < outer
     double outerConeAngle = 0.785398;     ///< radians from the axis, <= 1.48 (85 degrees)
+    double range = 0.0;  ///< of a spot: at this distance its light has faded to nothing; 0: it never does
 };
 
 }  // namespace timeshade

@@ -8,16 +8,27 @@
 
 namespace timeshade {
 
+/// What lies beside an image, along one of its sides.
+enum class Wrap { Repeat, Mirror, Clamp };
+
+/// An image that a material uses, and how it is read: filtered linearly, over at least half a pixel's footprint.
+struct TextureUse {
+    int image = -1;       ///< index into Scene::images(); -1 for none
+    int coordinates = 0;  ///< 0..2: which of MeshTopology's texture coordinates
+    Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
+};
+
 /// glTF's metallic-roughness material, linear colour.
 struct Material {
     std::string name;
     glm::vec4 baseColorFactor{1.0f};
     float metallicFactor = 1.0f;
     float roughnessFactor = 1.0f;
-    glm::vec3 emissiveFactor{0.0f};
+    glm::vec3 emissiveFactor{0.0f};  ///< may be above 1
     bool doubleSided = false;
-    int baseColorImage = -1;          ///< index into Scene::images(), sRGB encoded; -1 for none
-    int metallicRoughnessImage = -1;  ///< green: roughness, blue: metalness, linear; -1 for none
+    TextureUse baseColor;          ///< sRGB encoded; reads coordinates 0
+    TextureUse metallicRoughness;  ///< green: roughness, blue: metalness, linear
+    TextureUse emissive;           ///< sRGB encoded
 };
 
 /// Four channels of eight bits, rows from top to bottom as in glTF.

@@ -16,7 +16,13 @@ struct MeshTopology {
     std::vector<glm::u32vec3> triangles;
     std::vector<std::uint32_t> triangleMaterials;  ///< index into Scene::materials(), one per triangle
     std::vector<std::uint32_t> triangleInstances;  ///< mesh instance (node) of each triangle
-    std::vector<glm::vec2> textureCoordinates;     ///< one per vertex; (0,0) where the file has none
+    /// Texture coordinates 0, one per vertex: those of the base colour's image, with the material's transform applied.
+    /// (0,0) where the file has none.
+    std::vector<glm::vec2> textureCoordinates;
+    /// Texture coordinates 1 (xy) and 2 (zw), one per vertex; empty where no material uses them.
+    std::vector<glm::vec4> moreCoordinates;
+    /// Linear RGBA in [0, 1], one per vertex, times which base colours count; empty where all are white.
+    std::vector<glm::vec4> colours;
     std::size_t vertexCount = 0;
     std::size_t instanceCount = 0;
 };

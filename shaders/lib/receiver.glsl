@@ -19,6 +19,7 @@ struct Receiver {
     float clearance;       // how near a caster's plane may pass without shadowing it (segment_triangle.shared.h)
     vec3 edge1, edge2;     // two edges of the triangle at this time: its plane
     vec3 geometricNormal;  // not normalised; of a two-sided triangle the one towards the camera
+    vec2 place;            // in the image, where it was found on a ray
 };
 
 MovingTriangle fetchTriangle(uint id) { return fetchTriangleFrom(trianglePositions, id); }
@@ -48,18 +49,23 @@ vec3 cameraRayAt(vec2 position, float u) {
                (cameraView.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
 }
 
-// Where the camera ray through an image position meets the triangle's plane at time u. The same arithmetic as the
-// sample pass.
-Receiver receiverOnRay(MovingTriangle t, uint id, vec2 position, float u) {
+// The edge functions of a triangle at an image position, at time u: barycentrics are their shares of their sum. The same
+// arithmetic as the sample pass.
+vec3 edgesOnRay(MovingTriangle t, vec2 position, float u) {
     vec3 v0 = inCameraAt(t.open0, t.close0, u);
     vec3 v1 = inCameraAt(t.open1, t.close1, u);
     vec3 v2 = inCameraAt(t.open2, t.close2, u);
 #ifdef CAMERA_TURNS
     vec3 ray = cameraRayAt(position, u);
-    vec3 e = edgeFunctions(v0.xy * ray.z - ray.xy * v0.z, v1.xy * ray.z - ray.xy * v1.z, v2.xy * ray.z - ray.xy * v2.z);
+    return edgeFunctions(v0.xy * ray.z - ray.xy * v0.z, v1.xy * ray.z - ray.xy * v1.z, v2.xy * ray.z - ray.xy * v2.z);
 #else
-    vec3 e = edgeFunctions(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z);
+    return edgeFunctions(v0.xy - position * v0.z, v1.xy - position * v1.z, v2.xy - position * v2.z);
 #endif
+}
+
+// Where the camera ray through an image position meets the triangle's plane at time u.
+Receiver receiverOnRay(MovingTriangle t, uint id, vec2 position, float u) {
+    vec3 e = edgesOnRay(t, position, u);
     float sum = e.x + e.y + e.z;
 #ifdef INTERVAL_SAMPLES
     // At the end of what is seen of a triangle the ray meets its edge, up to rounding.
@@ -70,6 +76,7 @@ Receiver receiverOnRay(MovingTriangle t, uint id, vec2 position, float u) {
     Receiver r = pointAt(t, id, e / sum, u);
 #endif
     if (sum < 0.0) r.geometricNormal = -r.geometricNormal;  // only two-sided triangles are seen from behind
+    r.place = position;
     return r;
 }
 

@@ -1,9 +1,12 @@
 // Mean over a pixel's camera samples of shading times lit: the only place where light becomes colour.
 //
 // VIEW_VISIBILITY: mean of lit alone.
+// VERTEX_COLOURS: vertices have colours.
+// MORE_COORDINATES: vertices have texture coordinates 1 and 2.
 // INTERVAL_SAMPLES: camera samples are positions, and of each its parts count by their exposure.
 // SHUTTER_WEIGHTS: each sample counts by the shutter's response at its time; else all alike.
 #include "lib/receiver.glsl"
+#include "lib/material_images.glsl"
 #ifdef INTERVAL_SAMPLES
 #include "lib/seen_parts.glsl"
 #endif
@@ -11,7 +14,6 @@
 #include "shared/shutter_response.shared.h"
 #endif
 
-layout(binding = TRIANGLE_SHADING_UNIT) uniform samplerBuffer triangleShading;
 #ifdef INTERVAL_SAMPLES
 uniform usampler2DArray partsOfPositions;  // first and count
 uniform sampler2D visibilityOfParts;
@@ -19,8 +21,9 @@ uniform sampler2D visibilityOfParts;
 layout(binding = VISIBILITY_UNIT) uniform sampler2DArray visibility;
 #endif
 layout(binding = MATERIALS_UNIT) uniform samplerBuffer materials;
-layout(binding = COLOR_IMAGES_UNIT) uniform sampler2DArray colorImages;
-layout(binding = DATA_IMAGES_UNIT) uniform sampler2DArray dataImages;
+#ifdef VERTEX_COLOURS
+layout(binding = VERTEX_COLOURS_UNIT) uniform samplerBuffer vertexColours;
+#endif
 
 layout(location = 0) out vec4 outputRadiance;
 
@@ -34,7 +37,20 @@ struct Surface {
     vec3 emissive;
 };
 
-Surface surfaceOf(Receiver r, uint material) {
+// The images of a material: those of its base colour, of metalness and roughness, of what it emits.
+void readImages(inout Surface s, MovingTriangle t, Receiver r, float color, float data, float emissive) {
+    vec4 uses = texelFetch(materials, int(t.material) * MATERIAL_TEXELS + 3);
+    Footprint footprint = footprintOf(t, r);
+    if (color >= 0.0) s.baseColor *= readImage(colorImages, color, uint(uses.x), r, footprint).rgb;
+    if (data >= 0.0) {
+        vec3 values = readImage(dataImages, data, uint(uses.y), r, footprint).rgb;
+        s.roughness *= values.g;
+        s.metallic *= values.b;
+    }
+    if (emissive >= 0.0) s.emissive *= readImage(colorImages, emissive, uint(uses.z), r, footprint).rgb;
+}
+
+Surface surfaceOf(MovingTriangle t, Receiver r) {
     int first = int(r.triangle) * TRIANGLE_SHADING_TEXELS;
     vec4 a = texelFetch(triangleShading, first), b = texelFetch(triangleShading, first + 1),
          c = texelFetch(triangleShading, first + 2), d = texelFetch(triangleShading, first + 3),
@@ -44,23 +60,22 @@ Surface surfaceOf(Receiver r, uint material) {
                   r.barycentrics.y * mix(n.open1, n.close1, r.time) + r.barycentrics.z * mix(n.open2, n.close2, r.time);
     float squared = dot(normal, normal);
     normal = squared > 1e-12 ? normal * inversesqrt(squared) : normalize(r.geometricNormal);
-    vec4 factors = texelFetch(materials, int(material) * MATERIAL_TEXELS + 1);
+    int material = int(t.material) * MATERIAL_TEXELS;
+    vec4 factors = texelFetch(materials, material + 1), emissive = texelFetch(materials, material + 2);
     Surface s;
     s.normal = dot(normal, r.geometricNormal) < 0.0 ? -normal : normal;
-    s.baseColor = texelFetch(materials, int(material) * MATERIAL_TEXELS).rgb;
-    s.emissive = texelFetch(materials, int(material) * MATERIAL_TEXELS + 2).rgb;
+    s.baseColor = texelFetch(materials, material).rgb;
+    s.emissive = emissive.rgb;
     s.metallic = factors.x;
     s.roughness = factors.y;
-    if (factors.z >= 0.0 || factors.w >= 0.0) {
-        vec4 f = texelFetch(triangleShading, first + 5);
-        vec2 uv = r.barycentrics.x * e.zw + r.barycentrics.y * f.xy + r.barycentrics.z * f.zw;
-        if (factors.z >= 0.0) s.baseColor *= textureLod(colorImages, vec3(uv, factors.z), 0.0).rgb;
-        if (factors.w >= 0.0) {
-            vec3 data = textureLod(dataImages, vec3(uv, factors.w), 0.0).rgb;
-            s.roughness *= data.g;
-            s.metallic *= data.b;
-        }
-    }
+    if (factors.z >= 0.0 || factors.w >= 0.0 || emissive.w >= 0.0)
+        readImages(s, t, r, factors.z, factors.w, emissive.w);
+#ifdef VERTEX_COLOURS
+    ivec3 v = verticesOf(r.triangle);
+    s.baseColor *= r.barycentrics.x * texelFetch(vertexColours, v.x).rgb +
+                   r.barycentrics.y * texelFetch(vertexColours, v.y).rgb +
+                   r.barycentrics.z * texelFetch(vertexColours, v.z).rgb;
+#endif
     return s;
 }
 
@@ -89,7 +104,8 @@ vec3 lightArriving(vec3 toLight, float u) {
     float squared = dot(toLight, toLight);
     float cosine = dot(-toLight, lightDirectionAt(u)) * inversesqrt(squared);
     float cone = clamp((cosine - frame.lightCone.x) * frame.lightCone.z, 0.0, 1.0);
-    return frame.lightIntensity.rgb * (cone * cone / squared);
+    float reach = squared * frame.lightIntensity.w;  // KHR_lights_punctual: fades to nothing at the range
+    return frame.lightIntensity.rgb * (cone * cone / squared) * clamp(1.0 - reach * reach, 0.0, 1.0);
 }
 
 // Shading at one time: without the light, and what comes from it if nothing is between.
@@ -97,8 +113,8 @@ struct Shaded {
     vec3 unlit, arriving, reflected;
 };
 
-Shaded shadedAt(Receiver r, uint material, bool needsLight) {
-    Surface s = surfaceOf(r, material);
+Shaded shadedAt(MovingTriangle t, Receiver r, bool needsLight) {
+    Surface s = surfaceOf(t, r);
     vec3 toLight = towardsLight(r.position, r.time);
     vec3 eye = mix(frame.cameraPositionOpen.xyz, frame.cameraPositionClose.xyz, r.time);
     vec3 toEye = normalize(eye - r.position);
@@ -113,14 +129,14 @@ Shaded shadedAt(Receiver r, uint material, bool needsLight) {
     return shaded;
 }
 
-vec3 shade(Receiver r, uint material, float lit) {
-    Shaded s = shadedAt(r, material, lit > 0.0);
+vec3 shade(MovingTriangle t, Receiver r, float lit) {
+    Shaded s = shadedAt(t, r, lit > 0.0);
     return s.unlit + lit * s.arriving * s.reflected;
 }
 
 #ifdef INTERVAL_SAMPLES
 Shaded shadedAt(MovingTriangle t, SeenPart part, float share) {
-    return shadedAt(receiverOnRay(t, part.triangle, part.place, mix(part.begin, part.end, share)), t.material, true);
+    return shadedAt(t, receiverOnRay(t, part.triangle, part.place, mix(part.begin, part.end, share)), true);
 }
 
 vec3 directOf(Shaded s) { return s.arriving * s.reflected; }
@@ -148,7 +164,7 @@ vec3 colourOf(uint number, SeenPart part) {
 #ifdef SOLVES_INTERVALS
     return meanOver(t, part, value);
 #else
-    return shade(receiverOnRay(t, part.triangle, part.place, part.time), t.material, value.x * value.y);
+    return shade(t, receiverOnRay(t, part.triangle, part.place, part.time), value.x * value.y);
 #endif
 #endif
 }
@@ -176,7 +192,7 @@ vec3 colourOf(uvec2 pixel, uint stratum) {
     uint id = texelFetch(sampleIds, ivec3(pixel, stratum), 0).x;
     if (id == NO_TRIANGLE) return frame.background.rgb;
     MovingTriangle t = fetchTriangle(id);
-    return shade(receiverOf(t, id, pixel, stratum), t.material, lit);
+    return shade(t, receiverOf(t, id, pixel, stratum), lit);
 #endif
 }
 

@@ -24,12 +24,24 @@
 #define VISIBILITY_UNIT 3          // R32F array, one layer a stratum
 #define LARGE_TRIANGLES_UNIT 4     // buffer texture, R32UI: triangles drawn as rectangles
 #define MATERIALS_UNIT 5           // buffer texture, MATERIAL_TEXELS RGBA32F a material
-#define COLOR_IMAGES_UNIT 10       // 2D array of base colour images, sRGB
+#define VERTEX_INDICES_UNIT 6      // buffer texture, R32UI: three vertices a triangle
+#define VERTEX_COLOURS_UNIT 7      // buffer texture, RGBA32F a vertex; where VERTEX_COLOURS
+#define MORE_COORDINATES_UNIT 8    // buffer texture, RGBA32F a vertex: coordinates 1 and 2; where MORE_COORDINATES
+#define COLOR_IMAGES_UNIT 10       // 2D array of base colour and emissive images, sRGB
 #define DATA_IMAGES_UNIT 11        // 2D array of metallic-roughness images, linear
 
 #define TRIANGLE_POSITION_TEXELS 5
 #define TRIANGLE_SHADING_TEXELS 6
-#define MATERIAL_TEXELS 3
+#define MATERIAL_TEXELS 4
+
+// How a material's images are read, as one small whole number each: which texture coordinates, and how they wrap.
+#define TEXTURE_COORDINATES 3u  // bits
+#define TEXTURE_WRAP 3u         // bits, after a shift:
+#define TEXTURE_WRAP_U_SHIFT 2
+#define TEXTURE_WRAP_V_SHIFT 4
+#define TEXTURE_REPEATS 0u
+#define TEXTURE_MIRRORS 1u
+#define TEXTURE_CLAMPS 2u
 #define NO_TRIANGLE 0xffffffffu
 #define REACHED_SIDE 128  // cells along a side of the map
 #define NO_CELL 1024.0    // more than any: where nothing can be shadowed
@@ -47,7 +59,7 @@ struct FrameBlock {
     // normalised.
     vec4 lightDirection;
     vec4 lightDirectionClose;  // xyz at u = 1
-    vec4 lightIntensity;       // rgb: candela or lux, times exposure
+    vec4 lightIntensity;       // rgb: candela or lux, times exposure; w: 1 / range^2 of a spot, 0 if it has none
     vec4 lightCone;   // x: cos outer, y: cos inner, z: 1 / (cos inner - cos outer), w: texel width (per distance for a
                       // spot)
     vec4 ambientSky;  // rgb: radiance from above, exposed

@@ -144,8 +144,8 @@ inline std::vector<BrokenFile> brokenReferences() {
     set("/animations/0/samplers/0/interpolation", "BEZIER", "BEZIER");
     set("/textures/0/source", 9, "image 9");
     set("/materials/0/pbrMetallicRoughness/baseColorTexture/index", 9, "texture 9");
-    set("/extensionsRequired", Json::array({"KHR_draco_mesh_compression"}),
-        "needs the glTF extension KHR_draco_mesh_compression, which is not supported (supported: ");
+    set("/extensionsRequired", Json::array({"KHR_node_visibility"}),
+        "needs the glTF extension KHR_node_visibility, which is not supported (supported: ");
     set("/extensionsRequired", Json::array({"VENDOR_secret\nline"}), "VENDOR_secret line");
     set("/extensionsRequired", Json::array({5}), "not a name");
     set("/buffers", Json::array({{{"byteLength", 100'000'000}}}), "needs 100000000 bytes");

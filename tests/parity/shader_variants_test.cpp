@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <string>
 
+#include "cases/changed_scene.h"
 #include "shader_validator.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
@@ -123,6 +125,27 @@ void drawIntervalSamples(FrameRenderer& renderer, FramePlanner& planner, Techniq
     }
 }
 
+/// What shading reads of vertices beside: colours, and more texture coordinates.
+void drawLooks(FrameRenderer& renderer, Technique& technique, bool turns) {
+    const std::shared_ptr<const Scene> plain = makeMovingScene({.quads = 1, .cameraTurns = turns});
+    for (const bool colours : {false, true})
+        for (const bool coordinates : {false, true}) {
+            const ChangedScene scene(plain, {}, [&](MotionMesh mesh) {
+                auto topology = std::make_shared<MeshTopology>(*mesh.topology);
+                if (colours) topology->colours.resize(topology->vertexCount, glm::vec4(0.5f));
+                if (coordinates) topology->moreCoordinates.resize(topology->vertexCount, glm::vec4(0.5f));
+                mesh.topology = topology;
+                return mesh;
+            });
+            FrameRequest request = ProceduralScene::request(16, 12, 2, 16, 1);
+            for (const CameraSamples samples : {CameraSamples::Strata, CameraSamples::Intervals}) {
+                request.samples = samples;
+                FramePlan plan = FramePlanner(scene).plan(request);
+                if (!technique.unsupported(plan)) renderer.draw(std::move(plan), technique, View::Final);
+            }
+        }
+}
+
 /// Draws every case that makes a difference to a shader, on the shared renderer.
 void drawEverything() {
     FrameRenderer& renderer = sharedRenderer();
@@ -131,6 +154,7 @@ void drawEverything() {
                   striped, View::Final, "columns");
     renderer.readPicture();
     for (const bool turns : {false, true}) {
+        drawLooks(renderer, *makeTechnique("exact", renderer.programs()), turns);
         for (const bool directional : {false, true}) {
             const std::unique_ptr<ProceduralScene> scene =
                 makeMovingScene({.quads = 8, .seed = 3, .cameraTurns = turns, .directionalLight = directional});
@@ -260,6 +284,9 @@ void theFramesDrawnHadEveryVariant() {
         for (const std::string view : {"", "VIEW_VISIBILITY=1"})
             for (const std::string weights : {"", "SHUTTER_WEIGHTS=1"})
                 has("passes/shade.frag", joined({turns, view, weights}));
+        for (const std::string colours : {"", "VERTEX_COLOURS=1"})
+            for (const std::string coordinates : {"", "MORE_COORDINATES=1"})
+                has("passes/shade.frag", joined({turns, colours, coordinates}));
     }
     for (const std::string cover : {"passes/stochastic_points.vert", "passes/stochastic_rectangles.vert"}) {
         for (const std::string turns : {"", "VIEW_TURNS=1"}) has(cover, joined({"OUTPUT_ID=1", turns}));

@@ -202,7 +202,7 @@ std::string imageNote(const Json& image, const std::string& bytesInView = "") {
     fs::create_directories(folder.path() / "a folder");
     const auto scene = loadGltf(folder.write("image.glb", file.glb()));
     EXPECT_TRUE(scene->images().empty());
-    EXPECT_EQ(scene->materials().at(0).baseColorImage, -1);
+    EXPECT_EQ(scene->materials().at(0).baseColor.image, -1);
     for (const std::string& note : scene->notes())
         if (note.find("image") != std::string::npos) return note;
     return "";

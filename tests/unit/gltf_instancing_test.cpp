@@ -7,28 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "../broken_gltf/gltf_writer.h"
-#include "core/error.h"
-#include "scene/gltf_scene.h"
+#include "../broken_gltf/loaded.h"
 
 namespace timeshade {
 namespace {
 
 using namespace test;
-
-std::unique_ptr<Scene> loaded(const GltfFile& file, const GltfOptions& options = {}) {
-    const TemporaryFolder folder;
-    return loadGltf(folder.write("test.glb", file.glb()), options);
-}
-
-std::string refusal(const GltfFile& file, const GltfOptions& options = {}) {
-    try {
-        loaded(file, options);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
 
 Json instancing(const Json& attributes) { return {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}; }
 

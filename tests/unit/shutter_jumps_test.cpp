@@ -5,19 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "../broken_gltf/gltf_writer.h"
+#include "../broken_gltf/loaded.h"
 #include "plan/frame_plan.h"
-#include "scene/gltf_scene.h"
 
 namespace timeshade {
 namespace {
 
 using namespace test;
-
-std::unique_ptr<Scene> loaded(const GltfFile& file) {
-    const TemporaryFolder folder;
-    return loadGltf(folder.write("test.glb", file.glb()));
-}
 
 /// The x of the first corner at both ends of a frame's shutter.
 struct Ends {
