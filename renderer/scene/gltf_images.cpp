@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -99,13 +100,36 @@ glm::vec3 meanColour(const Image& image) {
     return glm::vec3(sum / std::max(1.0, static_cast<double>(image.rgba.size() / 4)));
 }
 
+/// What alpha cuts out of a material; none where no texel is cut out.
+std::optional<Cutout> cutoutOf(const Model& model, const MaterialSource& source, const Material& material,
+                               const std::vector<Image>& images) {
+    Cutout cutout;
+    cutout.threshold = cutoutThreshold(source.alphaCutoff, static_cast<double>(material.baseColorFactor.w));
+    cutout.image = material.baseColorImage;
+    int least = 255;
+    if (cutout.image >= 0) {
+        const TextureSampler& sampler = model.textureSamplers[static_cast<std::size_t>(source.baseColorTexture)];
+        cutout.wrapS = sampler.wrapS;
+        cutout.wrapT = sampler.wrapT;
+        cutout.nearest = sampler.nearest;
+        const std::vector<std::uint8_t>& rgba = images[static_cast<std::size_t>(cutout.image)].rgba;
+        for (std::size_t i = 3; i < rgba.size(); i += 4) least = std::min<int>(least, rgba[i]);
+    }
+    if (static_cast<float>(least) >= cutout.threshold) return std::nullopt;
+    if (cutout.image >= 0) {
+        constexpr std::size_t copies = 2;  // here and on the device
+        model.memory->take(copies, images[static_cast<std::size_t>(cutout.image)].rgba.size() / 4, "its cut-outs");
+    }
+    return cutout;
+}
+
 }  // namespace
 
 Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes, const LoadingWatch& watch) {
     ImageShelf shelf(model, files, notes);
     Looks looks;
     std::size_t otherCoordinates = 0;
-    std::size_t transparent = 0;
+    std::vector<std::string> blended;
     std::size_t shining = 0;
     for (const MaterialSource& source : model.materials) {
         watch({"materials", looks.materials.size(), model.materials.size()});
@@ -120,7 +144,9 @@ Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>
             ++shining;
         }
         if (source.otherCoordinates) ++otherCoordinates;
-        if (source.transparent) ++transparent;
+        if (source.cutOut)
+            looks.materials.back().cutout = cutoutOf(model, source, looks.materials.back(), shelf.images);
+        if (source.transparent) blended.push_back(looks.materials.back().name);
     }
     looks.materials.emplace_back().name = "default";
     looks.images = std::move(shelf.images);
@@ -129,7 +155,11 @@ Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>
             "{} materials use other texture coordinates than TEXCOORD_0 as it is; they get those", otherCoordinates));
     if (shining > 0)
         notes.push_back(fmt::format("{} materials shine evenly, with the mean of their emissive texture", shining));
-    if (transparent > 0) notes.push_back(fmt::format("{} transparent materials are drawn opaque", transparent));
+    if (!blended.empty())
+        notes.push_back(
+            fmt::format("{} materials blend by their alpha (the first is \"{}\"): they are drawn, and cast "
+                        "shadows, as if they were opaque",
+                        blended.size(), oneLine(blended.front(), 60)));
     return looks;
 }
 

@@ -220,7 +220,9 @@ MaterialSource convert(const tinygltf::Material& from, std::size_t index) {
     to.material.metallicFactor = unit(pbr.metallicFactor, 1.0);
     to.material.roughnessFactor = unit(pbr.roughnessFactor, 1.0);
     to.material.doubleSided = from.doubleSided;
-    to.transparent = from.alphaMode != "OPAQUE";
+    to.cutOut = from.alphaMode == "MASK";
+    to.transparent = from.alphaMode != "OPAQUE" && !to.cutOut;
+    if (std::isfinite(from.alphaCutoff)) to.alphaCutoff = from.alphaCutoff;
     to.baseColorTexture = pbr.baseColorTexture.index;
     to.metallicRoughnessTexture = pbr.metallicRoughnessTexture.index;
     to.emissiveTexture = from.emissiveTexture.index;
@@ -228,6 +230,20 @@ MaterialSource convert(const tinygltf::Material& from, std::size_t index) {
         to.otherCoordinates =
             to.otherCoordinates ||
             (texture->index >= 0 && (texture->texCoord != 0 || texture->extensions.contains("KHR_texture_transform")));
+    return to;
+}
+
+TextureSampler samplerOf(const tinygltf::Model& model, const tinygltf::Texture& texture) {
+    TextureSampler to;
+    if (texture.sampler < 0 || static_cast<std::size_t>(texture.sampler) >= model.samplers.size()) return to;
+    const tinygltf::Sampler& from = model.samplers[static_cast<std::size_t>(texture.sampler)];
+    const auto wrap = [](int value) {
+        if (value == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::ClampToEdge;
+        return value == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::MirroredRepeat : Wrap::Repeat;
+    };
+    to.wrapS = wrap(from.wrapS);
+    to.wrapT = wrap(from.wrapT);
+    to.nearest = from.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     return to;
 }
 
@@ -290,7 +306,10 @@ Model readModel(const Document& document) {
     for (const auto& skin : from.skins) to.skins.push_back({skin.joints, skin.inverseBindMatrices});
     for (const auto& animation : from.animations) to.animations.push_back(convert(animation));
     for (const auto& material : from.materials) to.materials.push_back(convert(material, to.materials.size()));
-    for (const auto& texture : from.textures) to.textureImages.push_back(texture.source);
+    for (const auto& texture : from.textures) {
+        to.textureImages.push_back(texture.source);
+        to.textureSamplers.push_back(samplerOf(from, texture));
+    }
     for (const auto& camera : from.cameras)
         to.cameras.push_back(
             {oneLine(camera.name), camera.type == "perspective", camera.perspective.yfov, camera.perspective.znear});

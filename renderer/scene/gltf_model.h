@@ -154,8 +154,16 @@ struct MaterialSource {
     int baseColorTexture = -1;
     int metallicRoughnessTexture = -1;
     int emissiveTexture = -1;
-    bool transparent = false;       ///< blended or cut out; drawn opaque
+    bool transparent = false;  ///< blended; drawn opaque
+    bool cutOut = false;       ///< alphaMode MASK
+    double alphaCutoff = 0.5;
     bool otherCoordinates = false;  ///< a texture uses coordinates that are not read, or a transform
+};
+
+/// How a texture is read beyond its image's border and between its texels.
+struct TextureSampler {
+    Wrap wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
+    bool nearest = false;  ///< its magFilter
 };
 
 struct ImageSource {
@@ -177,7 +185,8 @@ struct Model {
     std::vector<Skin> skins;
     std::vector<Animation> animations;
     std::vector<MaterialSource> materials;
-    std::vector<int> textureImages;  ///< image of each texture, -1 for none
+    std::vector<int> textureImages;               ///< image of each texture, -1 for none
+    std::vector<TextureSampler> textureSamplers;  ///< of each texture
     std::vector<ImageSource> images;
     std::vector<Camera> cameras;
     std::vector<Light> lights;

@@ -24,6 +24,8 @@
 #define VISIBILITY_UNIT 3          // R32F array, one layer a stratum
 #define LARGE_TRIANGLES_UNIT 4     // buffer texture, R32UI: triangles drawn as rectangles
 #define MATERIALS_UNIT 5           // buffer texture, MATERIAL_TEXELS RGBA32F a material
+#define CUTOUT_MATERIALS_UNIT 6    // buffer texture, RGBA32UI: a record a material (cutout.shared.h)
+#define CUTOUT_ALPHAS_UNIT 7       // buffer texture, R8UI: the alphas of all that are cut out
 #define COLOR_IMAGES_UNIT 10       // 2D array of base colour images, sRGB
 #define DATA_IMAGES_UNIT 11        // 2D array of metallic-roughness images, linear
 

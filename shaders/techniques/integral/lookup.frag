@@ -4,12 +4,13 @@
 //
 // MOTION: what moves (shared/time_integral.shared.h). VIEW_CANDIDATES: how many instead, all of those that a lit
 // receiver is solved against. VIEW_ERROR: how far the mean may be off. DYNAMIC_TRIANGLES, STATIC_TRIANGLES,
-// STATIC_CASTERS_TRAVEL: as in lib/candidate_lists.glsl.
+// STATIC_CASTERS_TRAVEL: as in lib/candidate_lists.glsl. CUTOUTS: as in lib/cutouts.glsl.
 #include "lib/candidate_lists.glsl"
 #include "lib/lookup.glsl"
 #include "lib/only_if.glsl"
 #include "shared/shutter_response.shared.h"
 #include "techniques/integral/cells.glsl"
+#include "techniques/integral/cut_outs.glsl"
 
 float solved = 0.0;  // candidates of this sample, once for each piece of its way
 float doubt = 0.0;   // ticks, whole
@@ -56,12 +57,28 @@ TimeUnion withCell(TimeUnion dark, ReceiverSegment s, CellPiece p, vec2 wanted, 
         solved += 1.0;
         uint id = (waiting & 1u) != 0u ? ids.x : (waiting & 2u) != 0u ? ids.y : (waiting & 4u) != 0u ? ids.z : ids.w;
         bool moves = mayMove && (id & CANDIDATE_MOVES) != 0u;
-        MotionPiece m = motionPiece(s, fetchMotion(trianglePositions, id & ~CANDIDATE_MOVES, moves), p.begin, p.end);
+        id &= ~CANDIDATE_MOVES;
+        MotionPiece m = motionPiece(s, fetchMotion(trianglePositions, id, moves), p.begin, p.end);
 #ifndef VIEW_CANDIDATES
+#ifdef CUTOUTS
+        float missed = 0.0;
+        bool cut = isCutOut(id);
+        TimeUnion shadow = emptyTimeUnion();
+        if (!cut) shadow = dark;
+        shadow = withShadow(shadow, m, ticks, MOTION);
+        if (cut)
+            dark = withCutOut(dark, shadow, id, m, ticks, missed);
+        else
+            dark = shadow;
+#else
         dark = withShadow(dark, m, ticks, MOTION);
+#endif
 #endif
 #ifdef VIEW_ERROR
         if (isCounting) doubt += ceil(shadowDoubt(m, MOTION) * (p.end - p.begin));
+#ifdef CUTOUTS
+        if (isCounting) doubt += missed;
+#endif
 #endif
         waiting &= waiting - 1u;
     }

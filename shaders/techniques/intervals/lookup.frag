@@ -19,7 +19,8 @@ uniform sampler2DArray staticMap;
 uniform int nearCount;
 #endif
 
-bool shadowedInTexel(ivec2 texel, PlaneInView plane, Receiver r) {
+// `place`: of the map, where a triangle that is cut out by its alpha has to cover.
+bool shadowedInTexel(ivec2 texel, vec2 place, PlaneInView plane, Receiver r) {
     if (!insideMap(texel)) return false;
 #ifdef AS_PUBLISHED
     float depth = plane.depth - setting.published_bias * texelWidth(plane.depth);
@@ -31,7 +32,7 @@ bool shadowedInTexel(ivec2 texel, PlaneInView plane, Receiver r) {
     if (depth > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return true;
 #endif
 #if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
-    if (nearerThan(texel, depth, r.triangle, r.time)) return true;
+    if (nearerThan(texel, place, depth, r.triangle, r.time)) return true;
 #endif
     return false;
 }
@@ -48,11 +49,11 @@ float litOf(MovingTriangle t, Receiver r) {
     for (int i = 0; i < 4; ++i) {
         ivec2 off = ivec2(i & 1, i >> 1);
         vec2 share = mix(1.0 - weight, weight, vec2(off));
-        lit += shadowedInTexel(ivec2(corner) + off, plane, r) ? 0.0 : share.x * share.y;
+        lit += shadowedInTexel(ivec2(corner) + off, plane.position, plane, r) ? 0.0 : share.x * share.y;
     }
     return min(lit, 1.0);  // weights are rounded
 #else
-    return shadowedInTexel(ivec2(floor(place)), plane, r) ? 0.0 : 1.0;
+    return shadowedInTexel(ivec2(floor(place)), plane.position, plane, r) ? 0.0 : 1.0;
 #endif
 }
 
