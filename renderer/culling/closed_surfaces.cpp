@@ -184,10 +184,14 @@ ClosedSurfaces::ClosedSurfaces(const MotionMesh& mesh, const std::vector<Materia
             for (int corner = 0; corner < 3; ++corner) surface.vertices.push_back(topology.triangles[id][corner]);
         }
         surface.nowhereNegative = !connected.branching[set] && !own.empty() && boundsASolid(mesh.positionsOpen, own);
+        // What is cut out is not closed.
+        const bool isOpen = std::any_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
+            return materials[topology.triangleMaterials[id]].cutout.has_value();
+        });
         const bool twoSided = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
             return materials[topology.triangleMaterials[id]].doubleSided;
         });
-        if (!surface.nowhereNegative && !twoSided) continue;
+        if (isOpen || (!surface.nowhereNegative && !twoSided)) continue;
         std::sort(surface.vertices.begin(), surface.vertices.end());
         surface.vertices.erase(std::unique(surface.vertices.begin(), surface.vertices.end()), surface.vertices.end());
         surface.corners = farApart(surface.vertices, mesh.positionsOpen);

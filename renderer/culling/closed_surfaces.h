@@ -12,12 +12,12 @@
 namespace timeshade {
 
 /// Closed surfaces: triangles connected by their edges, where each edge is used in one direction as often as in the
-/// other. Along the segment from a receiver to the light, the winding number of such a surface decreases by one where
-/// the segment leaves it (through a triangle from back to front) and increases by one where it enters. The winding
-/// number is 0 at a light outside. If it is not negative at the receiver, the segment leaves at least as often as it
-/// enters, so a test for any intersection may ignore all entries: the triangles that face away from the light.
-/// (Second-depth shadow maps use the same: Wang and Molnar 1994.) Entries and not exits are ignored, because an entry
-/// may be too near to the receiver to count while the exit that belongs to it counts.
+/// other, and none cut out by its alpha. Along the segment from a receiver to the light, the winding number of such a
+/// surface decreases by one where the segment leaves it (through a triangle from back to front) and increases by one
+/// where it enters. The winding number is 0 at a light outside. If it is not negative at the receiver, the segment
+/// leaves at least as often as it enters, so a test for any intersection may ignore all entries: the triangles that
+/// face away from the light. (Second-depth shadow maps use the same: Wang and Molnar 1994.) Entries and not exits are
+/// ignored, because an entry may be too near to the receiver to count while the exit that belongs to it counts.
 ///
 /// The winding number is nowhere negative if the surface does not intersect itself and encloses a positive volume. This
 /// is tested on the mesh at rest and remains true under any rigid or affine motion that does not mirror. For a surface

@@ -10,7 +10,7 @@ namespace timeshade {
 
 /// Embree at its best on a frame's camera samples, as the baseline to measure against: linear motion blur, packets of
 /// eight neighbours in one stratum, all threads, no callbacks, floats throughout. No doubtful sample is resolved
-/// exactly and nothing is handed over: this is the bare loop. The reference is Oracle.
+/// exactly, what alpha cuts out is whole, and nothing is handed over: this is the bare loop. The reference is Oracle.
 class EmbreeBaseline {
   public:
     /// Makes room for what is traced; the plan must outlive it.

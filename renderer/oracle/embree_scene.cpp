@@ -11,19 +11,37 @@ namespace timeshade::oracle {
 
 namespace {
 
+constexpr double cutoutSlack = 1e-4;  // of barycentrics: far more than Embree's rounding, and still little
+
 /// The context that Embree hands back to the filter, with what the filter needs to know.
-struct CullingContext {
+struct FilterContext {
     RTCIntersectContext embree;  // first: Embree knows only this part
     const std::vector<glm::vec4>* positionTexels;
+    const CutoutCover* cutouts;
+    bool keepsDoubtful;
 };
+
+bool isMet(const FilterContext& context, std::uint32_t triangle, float y, float z) {
+    const CutoutCover::Cover cover = context.cutouts->at(triangle, {static_cast<double>(y), static_cast<double>(z)},
+                                                         context.keepsDoubtful ? cutoutSlack : 0.0);
+    return cover.covers || cover.doubtful;
+}
 
 bool twoSided(const std::vector<glm::vec4>& positionTexels, std::uint32_t triangle) {
     return positionTexels[std::size_t{triangle} * TRIANGLE_POSITION_TEXELS + 4].z != 0.0f;
 }
 
+void rejectOpen(const RTCFilterFunctionNArguments* arguments, unsigned i) {
+    const auto& context = *reinterpret_cast<const FilterContext*>(arguments->context);
+    const unsigned n = arguments->N;
+    const bool met = isMet(context, RTCHitN_primID(arguments->hit, n, i), RTCHitN_u(arguments->hit, n, i),
+                           RTCHitN_v(arguments->hit, n, i));
+    if (!met) arguments->valid[i] = 0;
+}
+
 /// Embree's Ng is (v1 - v0) x (v2 - v0): seen from the front, it points against the ray.
 void rejectBacks(const RTCFilterFunctionNArguments* arguments) {
-    const auto& context = *reinterpret_cast<const CullingContext*>(arguments->context);
+    const auto& context = *reinterpret_cast<const FilterContext*>(arguments->context);
     const unsigned n = arguments->N;
     for (unsigned i = 0; i < n; ++i) {
         if (arguments->valid[i] == 0) continue;
@@ -32,13 +50,20 @@ void rejectBacks(const RTCFilterFunctionNArguments* arguments) {
                              RTCHitN_Ng_z(arguments->hit, n, i) * RTCRayN_dir_z(arguments->ray, n, i);
         if (facing > 0.0f && !twoSided(*context.positionTexels, RTCHitN_primID(arguments->hit, n, i)))
             arguments->valid[i] = 0;
+        else
+            rejectOpen(arguments, i);
     }
 }
 
 void rejectExcepted(const RTCFilterFunctionNArguments* arguments) {
     const unsigned n = arguments->N;
-    for (unsigned i = 0; i < n; ++i)
-        if (RTCHitN_primID(arguments->hit, n, i) == RTCRayN_id(arguments->ray, n, i)) arguments->valid[i] = 0;
+    for (unsigned i = 0; i < n; ++i) {
+        if (arguments->valid[i] == 0) continue;
+        if (RTCHitN_primID(arguments->hit, n, i) == RTCRayN_id(arguments->ray, n, i))
+            arguments->valid[i] = 0;
+        else
+            rejectOpen(arguments, i);
+    }
 }
 
 void fill(RTCRayHit8& rays, int* valid, const RayPacket& packet) {
@@ -60,18 +85,24 @@ void fill(RTCRayHit8& rays, int* valid, const RayPacket& packet) {
     }
 }
 
-PacketHits trace(RTCScene scene, const RayPacket& packet, RTCIntersectContext* context) {
+PacketHits trace(RTCScene scene, const RayPacket& packet, FilterContext& context, RTCFilterFunctionN filter) {
     alignas(32) RTCRayHit8 rays;
     alignas(32) int valid[RayPacket::size];
     fill(rays, valid, packet);
-    context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect8(valid, scene, context, &rays);
+    rtcInitIntersectContext(&context.embree);
+    context.embree.filter = filter;
+    context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect8(valid, scene, &context.embree, &rays);
     PacketHits hits;
     for (int lane = 0; lane < RayPacket::size; ++lane) {
         hits.hit[lane] = packet.active[lane] && rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
         hits.triangle[lane] = hits.hit[lane] ? rays.hit.primID[lane] : NO_TRIANGLE;
         hits.distance[lane] = rays.ray.tfar[lane];
         const float u = rays.hit.u[lane], v = rays.hit.v[lane];
+        if (hits.hit[lane] && packet.keepsDoubtful)
+            hits.doubtful[lane] =
+                context.cutouts->at(hits.triangle[lane], {static_cast<double>(u), static_cast<double>(v)}, cutoutSlack)
+                    .doubtful;
         hits.leastBarycentric[lane] = hits.hit[lane] ? std::min({u, v, 1.0f - u - v}) : 0.0f;
     }
     return hits;
@@ -98,7 +129,7 @@ RTCGeometry makeGeometry(RTCDevice device, const FramePlan& plan) {
 void EmbreeScene::ReleaseDevice::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
 void EmbreeScene::ReleaseScene::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
 
-EmbreeScene::EmbreeScene(const FramePlan& plan) : texels_(plan.texels), device_(rtcNewDevice(nullptr)) {
+EmbreeScene::EmbreeScene(const FramePlan& plan) : texels_(plan.texels), cutouts_(plan), device_(rtcNewDevice(nullptr)) {
     if (!device_)
         throw Error(fmt::format("Embree: no device (error {})", static_cast<int>(rtcGetDeviceError(nullptr))));
     scene_.reset(rtcNewScene(device_.get()));
@@ -116,18 +147,13 @@ EmbreeScene::EmbreeScene(const FramePlan& plan) : texels_(plan.texels), device_(
 }
 
 PacketHits EmbreeScene::firstHits(const RayPacket& packet) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.filter = rejectExcepted;
-    return trace(scene_.get(), packet, &context);
+    FilterContext context{{}, &texels_->positions, &cutouts_, packet.keepsDoubtful};
+    return trace(scene_.get(), packet, context, rejectExcepted);
 }
 
 PacketHits EmbreeScene::firstSeen(const RayPacket& packet) const {
-    CullingContext context{};
-    rtcInitIntersectContext(&context.embree);
-    context.embree.filter = rejectBacks;
-    context.positionTexels = &texels_->positions;
-    return trace(scene_.get(), packet, &context.embree);
+    FilterContext context{{}, &texels_->positions, &cutouts_, packet.keepsDoubtful};
+    return trace(scene_.get(), packet, context, rejectBacks);
 }
 
 }  // namespace timeshade::oracle

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include "oracle/cutout_cover.h"
 #include "plan/frame_plan.h"
 
 struct RTCDeviceTy;
@@ -23,6 +24,8 @@ struct RayPacket {
     std::uint32_t except[size] = {NO_TRIANGLE, NO_TRIANGLE, NO_TRIANGLE, NO_TRIANGLE,
                                   NO_TRIANGLE, NO_TRIANGLE, NO_TRIANGLE, NO_TRIANGLE};
     float low = 0.0f, high = 1.0f;  ///< part of the rays that counts
+    /// Whether a triangle that is cut out by its alpha is met where floats can't tell if it covers.
+    bool keepsDoubtful = false;
 };
 
 /// What a ray met first.
@@ -30,6 +33,7 @@ struct PacketHits {
     bool hit[RayPacket::size] = {};
     std::uint32_t triangle[RayPacket::size];
     float distance[RayPacket::size];          ///< in lengths of the ray's direction
+    bool doubtful[RayPacket::size] = {};      ///< floats can't tell whether it covers there; only of what keeps such
     float leastBarycentric[RayPacket::size];  ///< how far inside the triangle: 1/3 at its centre, 0 on an edge
 };
 
@@ -54,6 +58,7 @@ class EmbreeScene {
     };
 
     std::shared_ptr<const MeshTexels> texels_;
+    CutoutCover cutouts_;
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device_;
     std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;
 };

@@ -17,13 +17,13 @@ constexpr float doubtfulDistance = 1e-4f;
 }  // namespace
 
 Oracle::Implementation::Implementation(const FramePlan& plan)
-    : texels(plan.texels), mesh(plan.mesh), embree(plan), triangles(texels->positions), bvh(triangles) {}
+    : texels(plan.texels), mesh(plan.mesh), cutouts(plan), embree(plan), triangles(texels->positions), bvh(triangles) {}
 
 OracleAnswer Oracle::Implementation::resolve(const Receiver& receiver, std::uint32_t triangle) const {
     OracleAnswer answer = receiver.answer;
     if (!answer.tested) return answer;
     const ResolvedShadow resolved = resolveShadow(bvh, triangles, answer.position, receiver.light, receiver.clearance,
-                                                  triangle, static_cast<double>(answer.time));
+                                                  triangle, static_cast<double>(answer.time), &cutouts);
     answer.lit = resolved.lit;
     answer.marginal = answer.marginal || resolved.marginal;
     return answer;
@@ -42,12 +42,13 @@ void Oracle::Implementation::testLanes(Receiver* receivers, const std::uint32_t*
         any = any || receiver.answer.tested;
     }
     if (!any) return;
+    packet.keepsDoubtful = edges == Edges::ResolvedExactly;
     const PacketHits hits = embree.firstHits(packet);
     const float nearEdge = edges == Edges::ResolvedExactly ? doubtfulBarycentric : 0.0f;
     for (int lane = 0; lane < lanes; ++lane) {
         if (!packet.active[lane]) continue;
         const bool doubtful =
-            hits.hit[lane] && (hits.distance[lane] < doubtfulDistance ||
+            hits.hit[lane] && (hits.doubtful[lane] || hits.distance[lane] < doubtfulDistance ||
                                hits.distance[lane] > 1.0f - doubtfulDistance || hits.leastBarycentric[lane] < nearEdge);
         if (doubtful)
             receivers[lane].answer = resolve(receivers[lane], ids[lane]);

@@ -26,6 +26,7 @@ struct Oracle::Implementation {
 
     std::shared_ptr<const MeshTexels> texels;
     std::shared_ptr<const MotionMesh> mesh;
+    oracle::CutoutCover cutouts;
     oracle::EmbreeScene embree;
     oracle::MovingTriangles triangles;
     oracle::SweptBvh bvh;

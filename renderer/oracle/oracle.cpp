@@ -85,7 +85,7 @@ OracleAnswer Oracle::resolve(const FramePlan& plan, SampleIndex sample, std::uin
 
 Oracle::ResolvedPrimary Oracle::resolvePrimary(const FramePlan& plan, SampleIndex sample) const {
     return resolveFirstSeen(implementation_->bvh, implementation_->triangles, cameraRay(plan, sample),
-                            static_cast<double>(plan.camera.block.nearDistance));
+                            static_cast<double>(plan.camera.block.nearDistance), &implementation_->cutouts);
 }
 
 }  // namespace timeshade

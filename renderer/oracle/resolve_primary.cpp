@@ -28,7 +28,7 @@ double depthSlack(const CameraRay& ray, const glm::dvec3 (&v)[3], double depth) 
 }  // namespace
 
 Oracle::ResolvedPrimary resolveFirstSeen(const SweptBvh& bvh, const MovingTriangles& triangles, const CameraRay& ray,
-                                         double nearDistance) {
+                                         double nearDistance, const CutoutCover* cutouts) {
     const double infinity = std::numeric_limits<double>::infinity();
     const Segment segment{ray.eye, ray.eye + ray.direction, nearDistance, infinity, infinity};
     const double pad = 4.0 * marginalShare * (glm::length(ray.eye) + bvh.largestCoordinate());
@@ -42,8 +42,12 @@ Oracle::ResolvedPrimary resolveFirstSeen(const SweptBvh& bvh, const MovingTriang
         if (!meeting.hit && !meeting.marginal) return true;
         const bool culled = meeting.facing < 0 && !triangles.doubleSided(id);
         if (culled && meeting.hit && !meeting.facingMarginal) return true;
-        const Candidate candidate{id, meeting.s, depthSlack(ray, v, meeting.s), meeting.hit && !culled,
-                                  meeting.marginal || (meeting.facingMarginal && !triangles.doubleSided(id))};
+        CutoutCover::Cover cover;
+        if (cutouts != nullptr) cover = cutouts->onLine(id, v, segment.from, segment.to, meeting.s);
+        if (!cover.covers && !cover.doubtful) return true;
+        const Candidate candidate{
+            id, meeting.s, depthSlack(ray, v, meeting.s), meeting.hit && !culled && cover.covers,
+            meeting.marginal || cover.doubtful || (meeting.facingMarginal && !triangles.doubleSided(id))};
         candidates.push_back(candidate);
         // What lies clearly behind a triangle that is clearly seen does not matter.
         if (candidate.seen && !candidate.marginal) limit = std::min(limit, candidate.depth + 2.0 * candidate.slack);

@@ -3,7 +3,8 @@
 namespace timeshade::oracle {
 
 ResolvedShadow resolveShadow(const SweptBvh& bvh, const MovingTriangles& triangles, const glm::dvec3& position,
-                             const glm::dvec3& light, double clearance, std::uint32_t receiver, double u) {
+                             const glm::dvec3& light, double clearance, std::uint32_t receiver, double u,
+                             const CutoutCover* cutouts) {
     const glm::dvec3 direction = light - position;
     const double length = glm::length(direction);
     const Segment segment{position, light, 0.0, 1.0, length, clearance};
@@ -14,7 +15,13 @@ ResolvedShadow resolveShadow(const SweptBvh& bvh, const MovingTriangles& triangl
         if (id == receiver) return true;
         glm::dvec3 vertices[3];
         triangles.at(id, u, vertices);
-        const Meeting meeting = meet(segment, vertices);
+        Meeting meeting = meet(segment, vertices);
+        if (cutouts != nullptr && (meeting.hit || meeting.marginal) && cutouts->isCutOut(id)) {
+            const CutoutCover::Cover cover = cutouts->onLine(id, vertices, position, light, meeting.s);
+            if (!cover.covers && !cover.doubtful) return true;
+            meeting.hit = meeting.hit && cover.covers;
+            meeting.marginal = meeting.marginal || cover.doubtful;
+        }
         resolved.lit = resolved.lit && !meeting.hit;
         resolved.marginal = resolved.marginal || meeting.marginal;
         const bool certain = meeting.hit && !meeting.marginal;

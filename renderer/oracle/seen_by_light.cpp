@@ -26,7 +26,8 @@ SeenByLight Oracle::seenByLight(const FramePlan& plan, const glm::dvec2& place, 
         glm::dvec3 v[3];
         implementation_->triangles.at(id, u, v);
         const Meeting meeting = meet(segment, v);
-        if (meeting.hit && std::tuple(meeting.s, id) < std::tuple(seen.depth, seen.triangle)) {
+        if (meeting.hit && std::tuple(meeting.s, id) < std::tuple(seen.depth, seen.triangle) &&
+            implementation_->cutouts.onLine(id, v, segment.from, segment.to, meeting.s).covers) {
             seen = {id, meeting.s};
             limit = std::min(limit, meeting.s + pad);  // another at the same depth is still visited
         }

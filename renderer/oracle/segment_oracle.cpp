@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "oracle/parallel_rows.h"
 #include "oracle/seen_segments.h"
 #include "oracle/segment_light.h"
@@ -13,8 +14,10 @@ namespace timeshade {
 using namespace oracle;
 
 struct SegmentOracle::Implementation {
-    explicit Implementation(const FramePlan& plan)
-        : texels(plan.texels), triangles(texels->positions), bvh(triangles) {}
+    explicit Implementation(const FramePlan& plan) : texels(plan.texels), triangles(texels->positions), bvh(triangles) {
+        if (plan.cutouts)
+            throw Error("a material of the scene is cut out by its alpha; what is seen when of such is not known");
+    }
 
     std::shared_ptr<const MeshTexels> texels;
     MovingTriangles triangles;

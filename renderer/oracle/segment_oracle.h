@@ -31,6 +31,7 @@ struct LitSegment {
 class SegmentOracle {
   public:
     /// Keeps its own copy of what it needs of the plan.
+    /// Throws Error for a scene with a material that is cut out by its alpha.
     explicit SegmentOracle(const FramePlan& plan);
     ~SegmentOracle();
     SegmentOracle(const SegmentOracle&) = delete;

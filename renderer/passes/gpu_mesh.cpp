@@ -5,9 +5,18 @@
 #include <cmath>
 #include <span>
 
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "shared/cutout.shared.h"
+
 namespace timeshade {
 
 namespace {
+
+static_assert(static_cast<std::uint32_t>(Wrap::Repeat) == CUTOUT_WRAP_REPEAT &&
+              static_cast<std::uint32_t>(Wrap::Mirror) == CUTOUT_WRAP_MIRRORED &&
+              static_cast<std::uint32_t>(Wrap::Clamp) == CUTOUT_WRAP_CLAMP);
 
 /// Largest side of a layer of the image arrays; larger images are reduced to it.
 constexpr int imageArraySide = 1024;
@@ -154,12 +163,38 @@ void GpuMesh::uploadMaterials(const FramePlan& plan) {
     colorImages_ = imageArray("colour images", GL_SRGB8_ALPHA8, *plan.images, colors);
     dataImages_ = imageArray("metallic-roughness images", GL_RGBA8, *plan.images, data);
     materialsOf_ = plan.materials;
+    for (auto* buffer : {&cutoutMaterials_, &cutoutAlphas_}) buffer->reset();
+    if (plan.cutouts) uploadCutouts(*plan.cutouts);
+}
+
+void GpuMesh::uploadCutouts(const Cutouts& cutouts) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (cutouts.alphas().size() > static_cast<std::size_t>(most))
+        throw LimitError(
+            fmt::format("the images of materials that are cut out have {} texels; this device's "
+                        "GL_MAX_TEXTURE_BUFFER_SIZE is {}: smaller images are needed",
+                        cutouts.alphas().size(), most));
+    std::vector<glm::u32vec4> records;
+    for (const Cutouts::Sheet& sheet : cutouts.sheets())
+        records.emplace_back(std::bit_cast<std::uint32_t>(sheet.threshold),
+                             static_cast<std::uint32_t>(sheet.width) | static_cast<std::uint32_t>(sheet.height) << 16u,
+                             static_cast<std::uint32_t>(sheet.first),
+                             (sheet.cuts ? CUTOUT_PRESENT : 0u) | (sheet.nearest ? CUTOUT_NEAREST : 0u) |
+                                 static_cast<std::uint32_t>(sheet.wrapU) << CUTOUT_WRAP_U_SHIFT |
+                                 static_cast<std::uint32_t>(sheet.wrapV) << CUTOUT_WRAP_V_SHIFT);
+    cutoutMaterials_.emplace("cut-out materials", std::span<const glm::u32vec4>(records));
+    cutoutAlphas_.emplace("alphas of cut-outs", std::span<const std::uint8_t>(cutouts.alphas()));
+    cutoutMaterialsView_ = gl::Texture::ofBuffer("cut-out materials", GL_RGBA32UI, *cutoutMaterials_);
+    cutoutAlphasView_ = gl::Texture::ofBuffer("alphas of cut-outs", GL_R8UI, *cutoutAlphas_);
 }
 
 void GpuMesh::bind() const {
     positionsView_->bind(TRIANGLE_POSITIONS_UNIT);
     shadingView_->bind(TRIANGLE_SHADING_UNIT);
     materialsView_->bind(MATERIALS_UNIT);
+    if (hasCutouts()) cutoutMaterialsView_->bind(CUTOUT_MATERIALS_UNIT);
+    if (hasCutouts()) cutoutAlphasView_->bind(CUTOUT_ALPHAS_UNIT);
     colorImages_->bind(COLOR_IMAGES_UNIT);
     dataImages_->bind(DATA_IMAGES_UNIT);
     if (indicesView_) indicesView_->bind(VERTEX_INDICES_UNIT);
@@ -169,8 +204,8 @@ void GpuMesh::bind() const {
 
 std::size_t GpuMesh::bytes() const {
     std::size_t sum = 0;
-    for (const auto* buffer :
-         {&positions_, &shading_, &materials_, &vertexPositions_, &indices_, &vertexColours_, &moreCoordinates_})
+    for (const auto* buffer : {&positions_, &shading_, &materials_, &vertexPositions_, &indices_, &vertexColours_,
+                               &moreCoordinates_, &cutoutMaterials_, &cutoutAlphas_})
         sum += *buffer ? (*buffer)->bytes() : 0;
     for (const auto* texture : {&colorImages_, &dataImages_}) sum += *texture ? (*texture)->bytes() : 0;
     return sum;

@@ -26,10 +26,14 @@ class GpuMesh {
     /// Indexed vertices (0: position at u = 0, 1: position at u = 1) for ordinary rasterisation of all triangles.
     const gl::VertexArray& vertices() const { return *vertices_; }
     std::size_t triangleCount() const { return triangleCount_; }
+    /// Whether some material is cut out by its alpha: what draws or tests triangles is then built with CUTOUTS
+    /// (lib/cutouts.glsl).
+    bool hasCutouts() const { return cutoutAlphas_.has_value(); }
     std::size_t bytes() const;
 
   private:
     void uploadMaterials(const FramePlan& plan);
+    void uploadCutouts(const Cutouts& cutouts);
     void allocate(const FramePlan& plan);
     void uploadVertices(const MeshTopology& topology);
 
@@ -38,10 +42,12 @@ class GpuMesh {
     const std::vector<Material>* materialsOf_ = nullptr;
     std::size_t triangleCount_ = 0;
     std::optional<gl::Buffer> positions_, shading_, materials_, vertexPositions_, indices_;
+    std::optional<gl::Buffer> cutoutMaterials_, cutoutAlphas_;
     std::optional<gl::Texture> positionsView_, shadingView_, materialsView_;
     // Where the scene has such.
     std::optional<gl::Buffer> vertexColours_, moreCoordinates_;
     std::optional<gl::Texture> vertexColoursView_, moreCoordinatesView_, indicesView_;
+    std::optional<gl::Texture> cutoutMaterialsView_, cutoutAlphasView_;
     std::optional<gl::Texture> colorImages_, dataImages_;
     std::optional<gl::VertexArray> trianglesAsVertices_, vertices_;
 };

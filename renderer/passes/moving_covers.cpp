@@ -43,6 +43,7 @@ MovingCovers::MovingCovers()
 
 void MovingCovers::set(const FramePlan& plan, const std::vector<std::uint32_t>& triangles) {
     orthographic_ = plan.light.projection == Projection::Orthographic;
+    hasCutouts_ = plan.cutouts != nullptr;
     std::vector<std::uint32_t> small, large;
     for (const std::uint32_t id : triangles) {
         const shared::SweptBounds bounds =
@@ -60,6 +61,7 @@ void MovingCovers::draw(gl::ProgramCache& programs, const std::string& fragment,
                         const gl::Inputs& inputs) const {
     gl::ShaderDefines all = defines;
     if (orthographic_) all.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
+    if (hasCutouts_) all.emplace_back("CUTOUTS", "1");
     glDisable(GL_BLEND);
     if (large_ > 0) {
         const gl::Program& program = programs.get({"moving rectangles", "passes/moving_cover.vert", fragment, all});

@@ -33,7 +33,7 @@ class MovingCovers {
     gl::Buffer indices_;
     gl::VertexArray rectangles_, points_;
     std::size_t small_ = 0, large_ = 0;
-    bool orthographic_ = false;
+    bool orthographic_ = false, hasCutouts_ = false;
 };
 
 }  // namespace timeshade

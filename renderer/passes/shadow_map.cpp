@@ -8,6 +8,7 @@ namespace {
 struct Runs {
     std::vector<GLsizei> counts;
     std::vector<const void*> offsets;
+    std::vector<GLint> firsts;  ///< the same as numbers of vertices, three a triangle
 };
 
 Runs runsOf(const std::vector<std::uint32_t>& triangles) {
@@ -17,6 +18,7 @@ Runs runsOf(const std::vector<std::uint32_t>& triangles) {
             runs.counts.push_back(0);
             runs.offsets.push_back(
                 reinterpret_cast<const void*>(std::size_t{triangles[i]} * 3 * sizeof(std::uint32_t)));
+            runs.firsts.push_back(static_cast<GLint>(3 * triangles[i]));
         }
         runs.counts.back() += 3;
     }
@@ -39,9 +41,12 @@ void ShadowMap::begin(const FramePlan& plan, float instant, const glm::mat3& map
     }
     gl::ShaderDefines defines;
     if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
+    const std::string plain = keepsTriangles_ ? "passes/triangle_number.frag" : "passes/depth_only.frag";
+    if (plan.cutouts) defines.emplace_back("CUTOUTS", "1");
+    if (plan.cutouts && keepsTriangles_) defines.emplace_back("OUTPUT_TRIANGLE", "1");
     const gl::Program& program =
         programs_.get({"shadow map", "passes/shadow_map.vert",
-                       keepsTriangles_ ? "passes/triangle_number.frag" : "passes/depth_only.frag", defines});
+                       plan.cutouts ? std::string("passes/shadow_map_cutouts.frag") : plain, defines});
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
@@ -57,10 +62,14 @@ void ShadowMap::clear() const {
     if (keepsTriangles_) glClearNamedFramebufferuiv(target_->name(), GL_COLOR, 0, none);
 }
 
-void ShadowMap::drawRuns(const GpuMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+void ShadowMap::drawRuns(const FramePlan& plan, const GpuMesh& mesh,
+                         const std::vector<std::uint32_t>& triangles) const {
     const Runs runs = runsOf(triangles);
-    glBindVertexArray(mesh.vertices().name());
-    if (!triangles.empty())
+    glBindVertexArray(plan.cutouts ? none_.name() : mesh.vertices().name());
+    if (!triangles.empty() && plan.cutouts)
+        glMultiDrawArrays(GL_TRIANGLES, runs.firsts.data(), runs.counts.data(),
+                          static_cast<GLsizei>(runs.counts.size()));
+    else if (!triangles.empty())
         glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.offsets.data(),
                             static_cast<GLsizei>(runs.counts.size()));
     glDisable(GL_DEPTH_TEST);
@@ -69,8 +78,12 @@ void ShadowMap::drawRuns(const GpuMesh& mesh, const std::vector<std::uint32_t>& 
 void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const glm::mat3& mapFromPlane) {
     begin(plan, instant, mapFromPlane);
     clear();
-    glBindVertexArray(mesh.vertices().name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * mesh.triangleCount()), GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(plan.cutouts ? none_.name() : mesh.vertices().name());
+    const auto corners = static_cast<GLsizei>(3 * mesh.triangleCount());
+    if (plan.cutouts)
+        glDrawArrays(GL_TRIANGLES, 0, corners);
+    else
+        glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
     glDisable(GL_DEPTH_TEST);
 }
 
@@ -78,7 +91,7 @@ void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant,
                      const std::vector<std::uint32_t>& triangles) {
     begin(plan, instant, glm::mat3(1.0f));
     clear();
-    drawRuns(mesh, triangles);
+    drawRuns(plan, mesh, triangles);
 }
 
 void ShadowMap::drawOnto(const ShadowMap& start, const FramePlan& plan, const GpuMesh& mesh, float instant,
@@ -86,7 +99,7 @@ void ShadowMap::drawOnto(const ShadowMap& start, const FramePlan& plan, const Gp
     begin(plan, instant, glm::mat3(1.0f));
     glCopyImageSubData(start.depth().name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, depth_->name(), GL_TEXTURE_2D_ARRAY, 0, 0,
                        0, 0, depth_->width(), depth_->height(), 1);
-    drawRuns(mesh, triangles);
+    drawRuns(plan, mesh, triangles);
 }
 
 }  // namespace timeshade

@@ -17,7 +17,7 @@ class ShadowMap {
     /// `keepsTriangles`: beside the depth the number of the triangle that it is of, R32UI, 4 bytes a texel; only where
     /// all triangles are drawn.
     explicit ShadowMap(gl::ProgramCache& programs, bool keepsTriangles = false)
-        : programs_(programs), keepsTriangles_(keepsTriangles) {}
+        : programs_(programs), keepsTriangles_(keepsTriangles), none_("no attributes") {}
     /// All triangles of the mesh. The frame's uniforms must be bound. `mapFromPlane` takes (s, t, 1) of the light's map
     /// plane to the map, homogeneous with a weight that is positive inside it: a rotation, a shift, a perspective warp.
     /// What is stored is the reversed depth divided by that weight.
@@ -39,10 +39,11 @@ class ShadowMap {
   private:
     void begin(const FramePlan& plan, float instant, const glm::mat3& mapFromPlane);
     void clear() const;
-    static void drawRuns(const GpuMesh& mesh, const std::vector<std::uint32_t>& triangles);
+    void drawRuns(const FramePlan& plan, const GpuMesh& mesh, const std::vector<std::uint32_t>& triangles) const;
 
     gl::ProgramCache& programs_;
     bool keepsTriangles_;
+    gl::VertexArray none_;
     std::optional<gl::Framebuffer> target_;
     std::optional<gl::Texture> depth_, triangles_;
 };

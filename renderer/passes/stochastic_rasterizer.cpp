@@ -58,6 +58,7 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
     uploaded_.resize(lists.size());
     for (std::size_t i = 0; i < lists.size(); ++i) upload(uploaded_[i], *lists.begin()[i]);
     gl::ShaderDefines defines = definesFor(view, role, output);
+    if (mesh.hasCutouts()) defines.emplace_back("CUTOUTS", "1");
     if (start) defines.emplace_back("OUTPUT_DYNAMIC_PIXELS", "1");
     CHECK(strata.timePattern == 0 || role == Role::Light);
     if (strata.timePattern > 0) defines.emplace_back("TIME_PATTERN", std::to_string(strata.timePattern));

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "plan/mesh_texels.h"
 #include "plan/path_warnings.h"
+#include "plan/seen_cutouts.h"
 #include "shared/shutter_response.shared.h"
 
 namespace timeshade {
@@ -296,7 +297,8 @@ FramePlanner::FramePlanner(const Scene& scene)
     : scene_(scene),
       origin_(scene.bounds().centre()),
       exposure_(exposureOf(scene)),
-      rest_(std::make_shared<const RestPose>(scene)) {}
+      rest_(std::make_shared<const RestPose>(scene)),
+      cutouts_(Cutouts::of(scene.materials(), scene.images())) {}
 
 void FramePlanner::deform(Shape& shape, double openSeconds, double closeSeconds) const {
     if (shape.mesh && openSeconds == shape.openSeconds && closeSeconds == shape.closeSeconds) return;
@@ -335,6 +337,7 @@ FramePlan FramePlanner::planPiece(const FrameRequest& request, int piece, int pi
     plan.extent = shape.extent;
     plan.materials = &scene_.materials();
     plan.images = &scene_.images();
+    plan.cutouts = cutouts_;
     const ShutterEnds<LightPose> light = scene_.lightEnds(open, close);
     plan.lightOpen = light.open;
     plan.lightClose = light.close;
@@ -363,6 +366,7 @@ FramePlan FramePlanner::planPiece(const FrameRequest& request, int piece, int pi
     fillResponse(plan.block, request.shutter, somethingMoves);
 
     decideMotion(plan);
+    if (plan.block.positions > 0) refuseSeenCutouts(plan);
 
     plan.motion = summarise(plan, shape.movingTriangles);
     const std::size_t seen = plan.camera.staticTriangles.count() + plan.camera.dynamicTriangles.count();

@@ -15,6 +15,7 @@
 #include "plan/rest_pose.h"
 #include "plan/triangle_motion.h"
 #include "plan/view_plan.h"
+#include "scene/cutouts.h"
 #include "scene/light.h"
 #include "scene/scene.h"
 #include "shared/frame_blocks.shared.h"
@@ -82,7 +83,14 @@ struct FramePlan {
     std::vector<FramePlan> pieces;
     const std::vector<Material>* materials = nullptr;  ///< owned by the scene, which must outlive the plan
     const std::vector<Image>* images = nullptr;
+    std::shared_ptr<const Cutouts> cutouts;  ///< of the materials; null where none is cut out
 };
+
+/// Whether the triangle's material is cut out by its alpha: what such a triangle hides or shadows does not follow from
+/// its edges.
+inline bool isCutOut(const FramePlan& plan, std::uint32_t triangle) {
+    return plan.cutouts && plan.cutouts->sheet(plan.mesh->topology->triangleMaterials[triangle]).cuts;
+}
 
 /// Plans the frames of one scene. The mesh is deformed and packed only when the shutter's instants change, and motion
 /// is classified only for triangles that changed. The scene must outlive the planner and its plans.
@@ -109,6 +117,7 @@ class FramePlanner {
     glm::dvec3 origin_{0.0};
     double exposure_ = 1.0;
     std::shared_ptr<const RestPose> rest_;
+    std::shared_ptr<const Cutouts> cutouts_;
     std::vector<Shape> shapes_;  ///< of the pieces of the last frame
     MotionClassifier memory_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -92,12 +93,34 @@ class ImageShelf {
     int noSource_ = 0;
 };
 
+/// What alpha cuts out of a material; none where no texel is cut out.
+std::optional<Cutout> cutoutOf(const Model& model, const MaterialSource& source, const Material& material,
+                               const std::vector<Image>& images) {
+    Cutout cutout;
+    cutout.threshold = cutoutThreshold(source.alphaCutoff, static_cast<double>(material.baseColorFactor.w));
+    cutout.image = material.baseColor.image;
+    cutout.wrapU = material.baseColor.wrapU;
+    cutout.wrapV = material.baseColor.wrapV;
+    int least = 255;
+    if (cutout.image >= 0) {
+        cutout.nearest = model.textures[static_cast<std::size_t>(source.material.baseColor.image)].nearest;
+        const std::vector<std::uint8_t>& rgba = images[static_cast<std::size_t>(cutout.image)].rgba;
+        for (std::size_t i = 3; i < rgba.size(); i += 4) least = std::min<int>(least, rgba[i]);
+    }
+    if (static_cast<float>(least) >= cutout.threshold) return std::nullopt;
+    if (cutout.image >= 0) {
+        constexpr std::size_t copies = 2;  // here and on the device
+        model.memory->take(copies, images[static_cast<std::size_t>(cutout.image)].rgba.size() / 4, "its cut-outs");
+    }
+    return cutout;
+}
+
 }  // namespace
 
 Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>& notes, const LoadingWatch& watch) {
     ImageShelf shelf(model, files, notes);
     Looks looks;
-    std::size_t transparent = 0;
+    std::vector<std::string> blended;
     for (const MaterialSource& source : model.materials) {
         watch({"materials", looks.materials.size(), model.materials.size()});
         Material& material = looks.materials.emplace_back(source.material);
@@ -107,11 +130,16 @@ Looks readLooks(const Model& model, FilesBeside& files, std::vector<std::string>
             shelf.resolve(*use);
         // A factor without its texture would shine where the texture is dark.
         if (shines && material.emissive.image < 0) material.emissiveFactor = glm::vec3(0.0f);
-        if (source.transparent) ++transparent;
+        if (source.cutOut) material.cutout = cutoutOf(model, source, material, shelf.images);
+        if (source.transparent) blended.push_back(material.name);
     }
     looks.materials.emplace_back().name = "default";
     looks.images = std::move(shelf.images);
-    if (transparent > 0) notes.push_back(fmt::format("{} transparent materials are drawn opaque", transparent));
+    if (!blended.empty())
+        notes.push_back(
+            fmt::format("{} materials blend by their alpha (the first is \"{}\"): they are drawn, and cast "
+                        "shadows, as if they were opaque",
+                        blended.size(), oneLine(blended.front(), 60)));
     return looks;
 }
 

@@ -86,7 +86,9 @@ MaterialSource convert(const tinygltf::Material& from, std::size_t index) {
     to.material.metallicFactor = unit(pbr.metallicFactor, 1.0);
     to.material.roughnessFactor = unit(pbr.roughnessFactor, 1.0);
     to.material.doubleSided = from.doubleSided;
-    to.transparent = from.alphaMode != "OPAQUE";
+    to.cutOut = from.alphaMode == "MASK";
+    to.transparent = from.alphaMode != "OPAQUE" && !to.cutOut;
+    if (std::isfinite(from.alphaCutoff)) to.alphaCutoff = from.alphaCutoff;
     // In this order, so that the base colour reads coordinates 0.
     use(pbr.baseColorTexture, "baseColorTexture", to, to.material.baseColor);
     use(pbr.metallicRoughnessTexture, "metallicRoughnessTexture", to, to.material.metallicRoughness);
@@ -115,7 +117,8 @@ void readTextures(const tinygltf::Model& from, Model& to) {
         const tinygltf::Sampler& sampler = from.samplers[static_cast<std::size_t>(texture.sampler)];
         read.wrapU = wrapOf(sampler.wrapS, unknown);
         read.wrapV = wrapOf(sampler.wrapT, unknown);
-        if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) ++nearest;
+        read.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+        if (read.nearest) ++nearest;
     }
     if (unknown > 0)
         to.notes.push_back(fmt::format("{} samplers wrap in a way that glTF does not know; they repeat", unknown));

@@ -177,12 +177,15 @@ struct MaterialSource {
     /// What the geometry's texture coordinates 0, 1, 2 are, as many as the material needs, at least one.
     std::vector<CoordinateSource> coordinates{CoordinateSource{}};
     bool textured = false;
-    bool transparent = false;  ///< blended or cut out; drawn opaque
+    bool transparent = false;  ///< blended; drawn opaque
+    bool cutOut = false;       ///< alphaMode MASK
+    double alphaCutoff = 0.5;
 };
 
 struct Texture {
     int image = -1;  ///< -1 for none
     Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
+    bool nearest = false;  ///< its magFilter
 };
 
 struct ImageSource {

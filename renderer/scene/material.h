@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,18 @@ struct TextureUse {
     Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
 };
 
+/// What alpha cuts out of a surface (glTF's alphaMode MASK): where alpha is less than the cutoff there is nothing, for
+/// eyes and for light (docs/numerics.md, "Cut-outs").
+struct Cutout {
+    float threshold = 0.0f;  ///< least alpha that covers, in 1/255 of what the image holds; > 0
+    int image = -1;          ///< index into Scene::images(), whose alpha counts; -1: 255 everywhere
+    Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
+    bool nearest = false;  ///< one texel counts, the one that holds the place; else four, bilinearly
+};
+
+/// Of glTF's numbers: alpha is `factor` times the image's, and covers from `cutoff` on.
+float cutoutThreshold(double cutoff, double factor);
+
 /// glTF's metallic-roughness material, linear colour.
 struct Material {
     std::string name;
@@ -29,6 +42,7 @@ struct Material {
     TextureUse baseColor;          ///< sRGB encoded; reads coordinates 0
     TextureUse metallicRoughness;  ///< green: roughness, blue: metalness, linear
     TextureUse emissive;           ///< sRGB encoded
+    std::optional<Cutout> cutout;  ///< none: it covers wherever its triangles are
 };
 
 /// Four channels of eight bits, rows from top to bottom as in glTF.

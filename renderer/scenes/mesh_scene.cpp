@@ -33,10 +33,12 @@ std::shared_ptr<const MeshTopology> topologyOf(const std::vector<MeshInstance>& 
             topology->triangleMaterials.push_back(instance.material);
             topology->triangleInstances.push_back(static_cast<std::uint32_t>(topology->instanceCount));
         }
+        const std::vector<glm::vec2>& coordinates = instance.shape->textureCoordinates;
+        topology->textureCoordinates.insert(topology->textureCoordinates.end(), coordinates.begin(), coordinates.end());
         topology->vertexCount += instance.shape->positions.size();
+        topology->textureCoordinates.resize(topology->vertexCount);
         ++topology->instanceCount;
     }
-    topology->textureCoordinates.resize(topology->vertexCount);
     return topology;
 }
 

@@ -32,6 +32,7 @@ struct SceneParts {
     double duration = 0.0;  ///< seconds after which everything repeats; 0 if nothing moves
     SceneDefaults defaults;
     std::vector<Material> materials;
+    std::vector<Image> images;
     std::vector<MeshInstance> instances;
     std::vector<std::pair<std::string, std::function<CameraPose(double seconds)>>> cameras;
     std::function<LightPose(double seconds)> light;
@@ -49,7 +50,7 @@ class MeshScene final : public Scene {
     double duration() const override { return parts_.duration; }
     const SceneDefaults& defaults() const override { return parts_.defaults; }
     const std::vector<Material>& materials() const override { return parts_.materials; }
-    const std::vector<Image>& images() const override { return images_; }
+    const std::vector<Image>& images() const override { return parts_.images; }
     const std::vector<CameraBookmark>& cameras() const override { return cameras_; }
     CameraPose camera(std::size_t index, double seconds) const override {
         return parts_.cameras.at(index).second(clock_.clipTime(seconds));
@@ -64,7 +65,6 @@ class MeshScene final : public Scene {
   private:
     SceneParts parts_;
     ClipClock clock_;
-    std::vector<Image> images_;
     std::vector<CameraBookmark> cameras_;
     std::vector<std::string> notes_;
     std::shared_ptr<const MeshTopology> topology_;

@@ -4,6 +4,7 @@
 #include "scenes/cube.h"
 #include "scenes/cubes.h"
 #include "scenes/depths.h"
+#include "scenes/foliage.h"
 #include "scenes/frusta.h"
 #include "scenes/rising.h"
 #include "scenes/sphere.h"
@@ -21,6 +22,7 @@ std::vector<std::unique_ptr<SceneRecipe>> allRecipes() {
     recipes.push_back(std::make_unique<Crossing>());
     recipes.push_back(std::make_unique<Depths>());
     recipes.push_back(std::make_unique<Cube>());
+    recipes.push_back(std::make_unique<Foliage>());
     return recipes;
 }
 

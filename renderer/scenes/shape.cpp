@@ -76,11 +76,18 @@ void Shape::add(const Shape& other) {
     positions.insert(positions.end(), other.positions.begin(), other.positions.end());
     normals.insert(normals.end(), other.normals.begin(), other.normals.end());
     for (const glm::u32vec3& triangle : other.triangles) triangles.push_back(triangle + first);
+    if (textureCoordinates.empty() && other.textureCoordinates.empty()) return;
+    textureCoordinates.resize(first);
+    textureCoordinates.insert(textureCoordinates.end(), other.textureCoordinates.begin(),
+                              other.textureCoordinates.end());
+    textureCoordinates.resize(positions.size());
 }
 
 Shape plane(double width, double depth, int cells) {
     Shape shape;
     addSide(shape, {width, 0.0, depth}, glm::ivec3(cells), 1, true);
+    for (const glm::dvec3& p : shape.positions)
+        shape.textureCoordinates.emplace_back(p.x / width + 0.5, p.z / depth + 0.5);
     return shape;
 }
 

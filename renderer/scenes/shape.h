@@ -12,14 +12,15 @@ namespace timeshade {
 /// closed shapes stay closed under any transform.
 struct Shape {
     std::vector<glm::dvec3> positions;
-    std::vector<glm::vec3> normals;  ///< unit, one per vertex
+    std::vector<glm::vec3> normals;             ///< unit, one per vertex
+    std::vector<glm::vec2> textureCoordinates;  ///< one per vertex; or none, for a shape without
     std::vector<glm::u32vec3> triangles;
 
     void add(const Shape& other);
 };
 
 /// A rectangle in the plane y = 0, centred on the origin, facing up, divided into cells x cells: 2 * cells^2 triangles.
-/// cells >= 1.
+/// cells >= 1. Texture coordinates run from 0 to 1 with x and with z.
 Shape plane(double width, double depth, int cells);
 
 /// A closed box centred on the origin, with flat normals, its sides divided into `cells` cells along each axis (>= 1):

@@ -6,6 +6,7 @@ gl::ShaderDefines viewDefines(const FramePlan& plan) {
     gl::ShaderDefines defines;
     if (plan.camera.turns) defines.emplace_back("CAMERA_TURNS", "1");
     if (plan.light.projection == Projection::Orthographic) defines.emplace_back("LIGHT_ORTHOGRAPHIC", "1");
+    if (plan.cutouts) defines.emplace_back("CUTOUTS", "1");
     return defines;
 }
 

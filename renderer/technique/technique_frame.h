@@ -33,7 +33,7 @@ struct TechniqueFrame {
     gl::ShaderDefines defines() const;
 };
 
-/// Those of the plan's views alone: CAMERA_TURNS, LIGHT_ORTHOGRAPHIC.
+/// Those of the plan alone: CAMERA_TURNS, LIGHT_ORTHOGRAPHIC, CUTOUTS.
 gl::ShaderDefines viewDefines(const FramePlan& plan);
 
 }  // namespace timeshade

@@ -18,15 +18,16 @@ LinkedInterval fetchInterval(usamplerBuffer intervals, uint entry) {
 }
 
 // Is a triangle other than `own` nearer to the light than `depth` (a distance) at time u, in the list that begins with
-// entry `head`? As published, NDC depth is taken as linear in u between the interval's ends.
-bool nearerInLinkedList(usamplerBuffer intervals, uint head, float depth, uint own, float u) {
+// entry `head`, and does it cover `place` of the map? As published, NDC depth is taken as linear in u between the
+// interval's ends.
+bool nearerInLinkedList(usamplerBuffer intervals, uint head, vec2 place, float depth, uint own, float u) {
     float receiver = ndcDepth(max(depth, lightView.nearDistance));  // orthographic: the near distance is 0
     for (uint next = head; next != NO_INTERVAL;) {
         LinkedInterval i = fetchInterval(intervals, next);
         next = i.next;
         if (i.id == own || u < i.begin || u > i.end) continue;
         float share = clamp((u - i.begin) / max(i.end - i.begin, 1e-20), 0.0, 1.0);
-        if (mix(i.depthBegin, i.depthEnd, share) > receiver) return true;
+        if (mix(i.depthBegin, i.depthEnd, share) > receiver && cutoutCoversLight(i.id, place, u)) return true;
     }
     return false;
 }

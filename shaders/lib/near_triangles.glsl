@@ -8,7 +8,7 @@ bool shadowedByNearTriangles(Receiver r, int count) {
     vec3 toLight = segmentToLight(r.position, r.time);
     for (int i = 0; i < count; ++i) {
         uint id = texelFetch(nearTriangles, i).x;
-        if (id != r.triangle && segmentMeets(fetchMotion(trianglePositions, id, true), r, toLight)) return true;
+        if (id != r.triangle && segmentMeets(id, fetchMotion(trianglePositions, id, true), r, toLight)) return true;
     }
     return false;
 }

@@ -1,5 +1,6 @@
 // The definition of shadow, tested for one triangle at the receiver's own time (docs/numerics.md, "Definition of
 // shadow"): does the segment from the receiver towards the light meet it?
+#include "lib/cutouts.glsl"
 #include "lib/receiver.glsl"
 #include "shared/segment_triangle.shared.h"
 
@@ -23,7 +24,14 @@ SeenVertices seenVertices(VertexMotion v, vec3 position, float u) {
                         vertexFromReceiver(v.open2, v.close2, u, position));
 }
 
-bool segmentMeets(VertexMotion v, Receiver r, vec3 toLight) {
+// Does triangle `id` cover where the line towards the light meets it?
+bool coversLine(uint id, SeenVertices seen, vec3 toLight) {
+    return cutoutCovers(id, vec3(edgeSide(toLight, seen.v1, seen.v2), edgeSide(toLight, seen.v2, seen.v0),
+                                 edgeSide(toLight, seen.v0, seen.v1)));
+}
+
+// `v`: of triangle `id`.
+bool segmentMeets(uint id, VertexMotion v, Receiver r, vec3 toLight) {
     SeenVertices seen = seenVertices(v, r.position, r.time);
-    return segmentMeetsTriangle(toLight, seen.v0, seen.v1, seen.v2, r.clearance);
+    return segmentMeetsTriangle(toLight, seen.v0, seen.v1, seen.v2, r.clearance) && coversLine(id, seen, toLight);
 }

@@ -5,8 +5,10 @@
 // OUTPUT_DEPTH_RATE: write how fast the depth changes that this pixel sees of the triangle.
 // OUTPUT_DEPTH_VELOCITY: write how fast the depth changes of the point of the triangle that it sees.
 // OUTPUT_MOTION: write how fast that point moves in view coordinates, and the sample's time.
+// CUTOUTS: as in lib/cutouts.glsl.
 // TIME_PATTERN: of a map, the side of a pattern of fixed times (sample_pattern.shared.h) instead of random ones.
 #include "lib/blocks.glsl"
+#include "lib/cutouts.glsl"
 #include "shared/moving_triangle.shared.h"
 #include "shared/sample_pattern.shared.h"
 
@@ -114,6 +116,7 @@ void main() {
     back = back && open0.w != 0.0;
 #endif
     if (!(front || back)) discard;
+    if (!cutoutCovers(triangleId, e)) discard;
     float distance = dot(e, vec3(v.v0.z, v.v1.z, v.v2.z)) / sum;
 #if defined(VIEW_TURNS)
     distance /= rayLength;

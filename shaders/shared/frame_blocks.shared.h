@@ -27,8 +27,10 @@
 #define VERTEX_INDICES_UNIT 6      // buffer texture, R32UI: three vertices a triangle
 #define VERTEX_COLOURS_UNIT 7      // buffer texture, RGBA32F a vertex; where VERTEX_COLOURS
 #define MORE_COORDINATES_UNIT 8    // buffer texture, RGBA32F a vertex: coordinates 1 and 2; where MORE_COORDINATES
+#define CUTOUT_MATERIALS_UNIT 9    // buffer texture, RGBA32UI: a record a material (cutout.shared.h)
 #define COLOR_IMAGES_UNIT 10       // 2D array of base colour and emissive images, sRGB
 #define DATA_IMAGES_UNIT 11        // 2D array of metallic-roughness images, linear
+#define CUTOUT_ALPHAS_UNIT 12      // buffer texture, R8UI: the alphas of all that are cut out
 
 #define TRIANGLE_POSITION_TEXELS 5
 #define TRIANGLE_SHADING_TEXELS 6

@@ -13,7 +13,7 @@ import zlib
 
 PROGRAM = os.environ.get("TIMESHADE", "")
 SCENES = ("chess", "octopus", "pillars")  # those that are files
-COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube")
+COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube", "foliage")
 
 
 def listed_techniques():

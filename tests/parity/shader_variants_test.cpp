@@ -12,6 +12,7 @@
 
 #include "cases/changed_scene.h"
 #include "shader_validator.h"
+#include "support/cutout_scene.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "support/striped_technique.h"
@@ -146,9 +147,34 @@ void drawLooks(FrameRenderer& renderer, Technique& technique, bool turns) {
         }
 }
 
+/// Materials that are cut out by their alpha, by every technique and its published form.
+void drawCutouts(FrameRenderer& renderer) {
+    for (const bool sun : {false, true}) {
+        const std::unique_ptr<Scene> scene = makeCutoutScene({.sun = sun, .cameraMoves = sun});
+        const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(16, 12, 2, 16, 1));
+        ASSERT_NE(plan.cutouts, nullptr);
+        for (const TechniqueDescription& description : techniqueDescriptions()) {
+            const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
+            std::vector<Setting> settings = settingsOf(*technique);
+            std::erase_if(settings, [](const Setting& setting) { return !setting.isSwitch(); });
+            settings.insert(settings.begin(), Setting{});  // none of them changed
+            for (std::size_t i = 0; i < settings.size(); ++i) {
+                if (i > 0) settings[i].set(1.0 - settings[i].get());
+                if (!technique->unsupported(plan)) {
+                    renderer.draw(plan, *technique, View::Visibility);
+                    for (const TechniqueView& view : technique->views())
+                        renderer.draw(plan, *technique, View::Final, view.name);
+                }
+                if (i > 0) settings[i].set(1.0 - settings[i].get());
+            }
+        }
+    }
+}
+
 /// Draws every case that makes a difference to a shader, on the shared renderer.
 void drawEverything() {
     FrameRenderer& renderer = sharedRenderer();
+    drawCutouts(renderer);
     StripedTechnique striped;  // a view, whether or not any technique has one
     renderer.draw(FramePlanner(*makeMovingScene({.quads = 1})).plan(ProceduralScene::request(16, 12, 1, 16, 1)),
                   striped, View::Final, "columns");

@@ -24,6 +24,7 @@ ORDINARY = {
     "renderer/measure/technique_variant.cpp": ("intervals",),
     "renderer/measure/verification_json.cpp": ("intervals",),
     "tests/cli/refusals_test.py": ("intervals",),
+    "tests/verify/cutouts_test.py": ("intervals",),
     "renderer/passes/light_maps.cpp": ("static",),  # static casters
     "renderer/techniques/interleaved/interleaved_shadow.cpp": ("layers",),  # of a texture
     "renderer/techniques/tsm/tsm_shadow.cpp": ("layers",),
@@ -54,6 +55,8 @@ ABOUT = {
     "tests/cli/limits_test.py": ("exact", "ranges"),  # their lists
     "tests/technique/motion_steps_test.cpp": ("accumulation", "exact", "integral", "tsm"),
     "tests/technique/turning_light_test.cpp": ("exact",),
+    "tests/technique/cutouts_test.cpp": ("exact",),
+    "tests/verify/cutouts_test.py": ("exact",),
     "tests/verify/definition_test.py": ("exact",),
     "tests/technique/two_errors_test.cpp": ("accumulation", "tsm"),
     "tests/verify/mutations_test.py": ("accumulation", "tsm"),  # breaks their shaders

@@ -108,8 +108,10 @@ void IntervalMap::arrangeVisible(const TechniqueFrame& frame) {
     arrangedLists_.beginCount(lists_.cells());
     bindEntries();
     visibleTimes_.bindForWriting(VISIBLE_TIMES_BINDING);
-    run({.label = "intervals visible", .defines = {frame.settings}, .compute = "techniques/intervals/visible.comp"},
-        entries(), collected_);
+    gl::ShaderDefines defines{frame.settings};
+    if (frame.plan.cutouts) defines.emplace_back("CUTOUTS", "1");
+    run({.label = "intervals visible", .defines = defines, .compute = "techniques/intervals/visible.comp"}, entries(),
+        collected_);
     kept_ = arrangedLists_.scan();
     reserveArranged(kept_);
     bindEntries();

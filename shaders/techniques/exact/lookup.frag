@@ -3,13 +3,14 @@
 // VIEW_CANDIDATES: how many instead, all of those that a lit receiver is tested against: where the first that shadows
 // it stands in a list is no property of the scene. DYNAMIC_TRIANGLES, STATIC_TRIANGLES: there are such.
 // STATIC_CASTERS_TRAVEL: some of the latter move with the light.
-#include "lib/lookup.glsl"
 #include "lib/candidate_lists.glsl"
+#include "lib/lookup.glsl"
 #include "lib/segment_test.glsl"
 
 bool shadows(uint candidate, bool mayMove, Receiver r, vec3 toLight) {
     bool moves = mayMove && (candidate & CANDIDATE_MOVES) != 0u;
-    return segmentMeets(fetchMotion(trianglePositions, candidate & ~CANDIDATE_MOVES, moves), r, toLight);
+    uint id = candidate & ~CANDIDATE_MOVES;
+    return segmentMeets(id, fetchMotion(trianglePositions, id, moves), r, toLight);
 }
 
 float tested = 0.0;  // candidates of this sample

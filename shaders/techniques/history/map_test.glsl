@@ -24,14 +24,19 @@ struct ShadowTest {
 #ifdef TRIES_TRIANGLES
 struct Trial {
     bool met;      // by the segment from the receiver to the light
+    bool open;     // it would be, were it not cut out there by its alpha
     float height;  // the least of the triangle's heights seen from the receiver, in texels
 };
 
-Trial tryTriangle(VertexMotion t, Receiver r, float u, vec3 toLight, float texel) {
-    SeenVertices seen = seenVertices(t, r.position, u);
+Trial tryTriangle(uint id, Receiver r, float u, vec3 toLight, float texel) {
+    SeenVertices seen = seenVertices(fetchMotion(trianglePositions, id, true), r.position, u);
     vec3 v0 = seen.v0, v1 = seen.v1, v2 = seen.v2;
-    Trial trial = Trial(segmentMeetsTriangle(toLight, v0, v1, v2, r.clearance), 0.0);
-    if (trial.met) return trial;
+    Trial trial = Trial(segmentMeetsTriangle(toLight, v0, v1, v2, r.clearance), false, 0.0);
+#ifdef CUTOUTS
+    trial.open = trial.met && !coversLine(id, seen, toLight);
+    trial.met = trial.met && !trial.open;
+#endif
+    if (trial.met || trial.open) return trial;
     vec3 way = normalize(toLight);
     vec3 edge0 = cross(way, v2 - v1), edge1 = cross(way, v0 - v2), edge2 = cross(way, v1 - v0);
     float longest = sqrt(max(dot(edge0, edge0), max(dot(edge1, edge1), dot(edge2, edge2))));
@@ -60,7 +65,7 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
     ivec2 offset = nearest - corner;
     int first = offset.y == 1 ? offset.x : 3 - offset.x;
     uint nearer = 0u, last = NO_TRIANGLE;
-    bool dark = false;
+    bool dark = false, open = false;
     for (int k = 0; k < 4; ++k) {
         int i = first ^ k;
         uint id = triangles[i];
@@ -72,10 +77,13 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
         before -= caster;
         // An exact test needs no bias, so that contacts are right.
         if (before <= 0.0) continue;
-        if (before > setting.bias * p.m.texel) {
+        bool counts = before > setting.bias * p.m.texel;
+        if (counts) {
             ++nearer;
             test.sure = false;
         }
+        // Light comes through it here, whatever is behind.
+        if (id == last && open && counts) --nearer;
         if (id == last) continue;
         last = id;
 #ifdef LIGHT_ORTHOGRAPHIC
@@ -83,9 +91,11 @@ ShadowTest tryTriangles(Receiver r, float u, WarpedPoint p) {
 #else
         float width = p.m.texel * caster / p.plane.depth;
 #endif
-        Trial trial = tryTriangle(fetchMotion(trianglePositions, id, true), r, u, toLight, width);
+        Trial trial = tryTriangle(id, r, u, toLight, width);
         if (trial.met) return ShadowTest(0.0, 1.0, true, true, false, p.plane.position, p.plane.depth);
-        if (k == 0 && nearer == 1u && trial.height < 1.0) dark = true;
+        open = trial.open;
+        if (open && counts) --nearer;
+        if (!open && k == 0 && nearer == 1u && trial.height < 1.0) dark = true;
     }
     test.guessedDark = inside && dark;
     if (inside && (nearer == 4u || (dark && history.awaitsProof == 0u))) test.lit = 0.0;

@@ -4,8 +4,9 @@
 //
 // MOTION: what moves (shared/time_integral.shared.h). VIEW_CANDIDATES: how many instead, all of those that a lit
 // receiver is solved against. VIEW_ERROR: how far the mean may be off. DYNAMIC_TRIANGLES, STATIC_TRIANGLES,
-// STATIC_CASTERS_TRAVEL: as in lib/candidate_lists.glsl.
+// STATIC_CASTERS_TRAVEL: as in lib/candidate_lists.glsl. CUTOUTS: as in lib/cutouts.glsl.
 #include "lib/candidate_lists.glsl"
+#include "lib/cutout_times.glsl"
 #include "lib/lookup.glsl"
 #include "lib/map_way.glsl"
 #include "lib/segment_exposure.glsl"
@@ -59,12 +60,14 @@ TimeUnion withCell(TimeUnion dark, ReceiverSegment s, CellPiece p, vec2 wanted, 
         solved += 1.0;
         uint id = (waiting & 1u) != 0u ? ids.x : (waiting & 2u) != 0u ? ids.y : (waiting & 4u) != 0u ? ids.z : ids.w;
         bool moves = mayMove && (id & CANDIDATE_MOVES) != 0u;
-        MotionPiece m = motionPiece(s, fetchMotion(trianglePositions, id & ~CANDIDATE_MOVES, moves), p.begin, p.end);
+        id &= ~CANDIDATE_MOVES;
+        MotionPiece m = motionPiece(s, fetchMotion(trianglePositions, id, moves), p.begin, p.end);
+        float missed = 0.0;
 #ifndef VIEW_CANDIDATES
-        dark = withShadow(dark, m, ticks, MOTION);
+        dark = withCaster(dark, id, m, ticks, missed);
 #endif
 #ifdef VIEW_ERROR
-        if (isCounting) doubt += ceil(shadowDoubt(m, MOTION) * (p.end - p.begin));
+        if (isCounting) doubt += ceil(shadowDoubt(m, MOTION) * (p.end - p.begin)) + missed;
 #endif
         waiting &= waiting - 1u;
     }

@@ -2,6 +2,8 @@
 // leaves the rest of the time lit (Palmér 2011, section 2.3.1). A receiver that moves on the map is followed from texel
 // to texel, in pieces over which the depth that is compared is linear. AS_PUBLISHED: where it begins and ends in
 // different texels its interval is sampled at points (section 2.3.2), in the middle of equal parts.
+#define MOTION MOTION_ALL
+#include "lib/cutout_times.glsl"
 #include "lib/map_way.glsl"
 #include "lib/segment_exposure.glsl"
 
@@ -45,6 +47,25 @@ float tickAt(ReceiverSegment s, float u) {
     return clamp(floor((u - s.u0) / max(s.u1 - s.u0, 1e-12) * TICKS + 0.5), 0.0, TICKS);
 }
 
+#ifdef CUTOUTS
+// Of what is nearer, what a triangle that is cut out by its alpha covers: looked at in the middle of equal parts.
+TimeUnion withCovered(TimeUnion dark, TimeUnion nearer, ReceiverSegment s, uint id) {
+    const float looks = 16.0;
+    for (int i = 0; i < 4; ++i) {
+        float begin = nearer.begin0[i], length = (nearer.end0[i] - begin) / looks;
+        ONLY_IF(length > 0.0) {
+            for (float k = 0.0; k < looks; k += 1.0) {
+                float tick = begin + (k + 0.5) * length;
+                bool covers = cutoutCoversLight(id, onMap(mapBlossom(s, tick, tick)), timeOf(s, tick));
+                float from = floor(begin + k * length + 0.5), to = floor(begin + (k + 1.0) * length + 0.5);
+                ONLY_IF(covers) dark = withInterval(dark, from, to);
+            }
+        }
+    }
+    return dark;
+}
+#endif
+
 // The union with the times between two ticks at which another triangle's interval in this texel is nearer.
 TimeUnion withList(TimeUnion dark, ReceiverSegment s, ComparedPart p, ivec2 texel, vec2 wanted) {
     ivec2 span = listSpan(intervalOffsets, listNumber(texel));
@@ -53,13 +74,23 @@ TimeUnion withList(TimeUnion dark, ReceiverSegment s, ComparedPart p, ivec2 texe
     for (int i = span.x; i < span.y && !isSettled; ++i) {
         vec2 times = texelFetch(intervalTimes, i).xy;
         if (times.x > last) break;
-        ONLY_IF(times.y >= first && texelFetch(intervalIds, i).x != s.triangle) {
+        uint id = texelFetch(intervalIds, i).x;
+        ONLY_IF(times.y >= first && id != s.triangle) {
             vec2 depths = texelFetch(intervalDepths, i).xy;
             float from = max(tickAt(s, times.x), wanted.x), to = min(tickAt(s, times.y), wanted.y);
             float slope = (depths.y - depths.x) / max(times.y - times.x, 1e-30);
             float depthFrom = depths.x + slope * clamp(timeOf(s, from) - times.x, 0.0, times.y - times.x);
             float depthTo = depths.x + slope * clamp(timeOf(s, to) - times.x, 0.0, times.y - times.x);
-            dark = withNegative(dark, from, to, depthFrom - comparedAt(p, from), depthTo - comparedAt(p, to));
+            float before = depthFrom - comparedAt(p, from), after = depthTo - comparedAt(p, to);
+#ifdef CUTOUTS
+            bool cut = id != NO_INTERVAL_ID && isCutOut(id);
+            ONLY_IF(cut) {
+                dark = withCovered(dark, withNegative(emptyTimeUnion(), from, to, before, after), s, id);
+            }
+            if (!cut) dark = withNegative(dark, from, to, before, after);
+#else
+            dark = withNegative(dark, from, to, before, after);
+#endif
             isSettled = dark.full != 0u || dark.covered >= wanted.y - wanted.x;
         }
     }
@@ -77,7 +108,8 @@ TimeUnion darkIn(ReceiverSegment s, ComparedPart p, ivec2 texel, vec2 wanted) {
         uint id = texelFetch(nearTriangles, i).x;
         if (id == s.triangle) continue;
         MotionPiece m = motionPiece(s, fetchMotion(trianglePositions, id, true), p.begin, p.end);
-        dark = withShadow(dark, m, ticks, MOTION_ALL);
+        float missed = 0.0;
+        dark = withCaster(dark, id, m, ticks, missed);
     }
 #endif
     ONLY_IF(insideMap(texel)) {

@@ -37,7 +37,7 @@ bool shadowedInTexel(ivec2 texel, PlaneInView plane, uint own, float time) {
     if (depth > mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x)) return true;
 #endif
 #if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
-    if (nearerThan(texel, depth, own, time)) return true;
+    if (nearerThan(texel, plane.position, depth, own, time)) return true;
 #endif
     return false;
 }

@@ -27,7 +27,11 @@ bool nearerThan(MapPoint m, float depth, ivec2 texel, uint own, float u) {
         float first = distances.x + texelWidth(distances.x) * dot(offset, unpackHalf2x16(slopes.y));
         float last = distances.y + texelWidth(distances.y) * dot(offset, unpackHalf2x16(slopes.w));
         float distance = mix(first, last, (u - begin) / max(end - begin, 1e-20));
-        found = begin <= u && u <= end && depth > distance && texelFetch(rangeIds, range).x != own;
+        uint id = texelFetch(rangeIds, range).x;
+        found = begin <= u && u <= end && depth > distance && id != own;
+#ifdef CUTOUTS
+        if (found) found = cutoutCoversLight(id, m.position, u);
+#endif
     }
     return found;
 }

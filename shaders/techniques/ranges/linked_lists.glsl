@@ -8,7 +8,7 @@ uint headOf(ivec2 texel) { return texelFetch(rangeHeads, listNumber(texel)).x; }
 
 // Is a triangle other than `own` nearer to the light than `depth` at time u, in this texel?
 bool nearerThan(MapPoint m, float depth, ivec2 texel, uint own, float u) {
-    return nearerInLinkedList(ranges, headOf(texel), depth, own, u);
+    return nearerInLinkedList(ranges, headOf(texel), m.position, depth, own, u);
 }
 
 ListSummary summaryOf(ivec2 texel) { return summaryOfLinkedList(ranges, headOf(texel)); }

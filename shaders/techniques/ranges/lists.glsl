@@ -1,4 +1,5 @@
 // The lists of either form, by one interface: nearerThan, summaryOf.
+#include "lib/light_cutouts.glsl"
 #include "lib/texel_lists.glsl"
 #include "techniques/ranges/bindings.shared.h"
 #ifdef AS_PUBLISHED

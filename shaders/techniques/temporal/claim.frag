@@ -2,6 +2,7 @@
 // with an exact test instead of "both ends cover"): the depth written is the greatest that the triangle has inside the
 // texel during the shutter.
 #include "lib/covering_triangle.glsl"
+#include "lib/cutouts.glsl"
 
 // Farthest corner of the texel on the triangle's plane. Distance is 1 / linear over the map at any time, so that
 // corners bound it.
@@ -20,7 +21,7 @@ float farthestCorner(vec3 v0, vec3 v1, vec3 v2, vec2 centre, float farthestVerte
 void main() {
     vec2 centre = texelCentre();
     precise EdgeQuadratics e = quadraticsOf(seenTriangle(centre));
-    if (!coversThroughout(e)) discard;
+    if (!coversThroughout(e) || isCutOut(triangleId)) discard;
     float farthest = max(max(max(open0.z, open1.z), max(open2.z, close0.z)), max(close1.z, close2.z));
     // A triangle that only translates has its extremes at the ends of the shutter and at the texel's corners.
     if (nonTranslating == 0u)

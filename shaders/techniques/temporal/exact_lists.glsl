@@ -19,7 +19,10 @@ bool nearerThan(MapPoint m, float depth, ivec2 texel, uint own, float time) {
         ONLY_IF(time >= times.x && time <= times.y) {
             vec2 depths = texelFetch(tupleDepths, i).xy;
             bool before = mix(depths.x, depths.y, (time - times.x) / max(times.y - times.x, 1e-30)) < depth;
-            ONLY_IF(before) nearer = texelFetch(tupleIds, i).x != own;
+            ONLY_IF(before) {
+                uint id = texelFetch(tupleIds, i).x;
+                nearer = id != own && cutoutCoversLight(id, m.position, time);
+            }
         }
     }
     return nearer;

@@ -16,7 +16,7 @@ bool nearerThan(MapPoint m, float depth, ivec2 texel, uint own, float time) {
     if (covered == float(own)) return false;
     if (covered > -1.0) return true;
 #endif
-    return nearerInLinkedList(linkedTuples, headOf(texel), depth, own, time);
+    return nearerInLinkedList(linkedTuples, headOf(texel), m.position, depth, own, time);
 }
 
 ListSummary summaryOf(ivec2 texel) { return summaryOfLinkedList(linkedTuples, headOf(texel)); }

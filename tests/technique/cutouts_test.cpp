@@ -1,0 +1,168 @@
+// What alpha cuts out of a triangle lets light and eyes through, in every technique, as the oracle decides by its own
+// arithmetic.
+#include <cmath>
+#include <functional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "cases/procedural_scene.h"
+#include "core/error.h"
+#include "measure/reference_technique.h"
+#include "measure/verification.h"
+#include "support/cutout_scene.h"
+#include "support/gl_environment.h"
+#include "techniques/registry.h"
+
+namespace timeshade {
+namespace {
+
+FramePlan planOf(const Scene& scene, int width, int samples, int map, std::uint32_t seed) {
+    return FramePlanner(scene).plan(ProceduralScene::request(width, width / 4 * 3, samples, map, seed));
+}
+
+Verification verified(const Scene& scene, const std::string& technique, int width, int samples) {
+    const std::unique_ptr<Technique> made = makeTechnique(technique, sharedRenderer().programs());
+    return verifyFrame(sharedRenderer(), planOf(scene, width, samples, 256, 3), *made, {});
+}
+
+struct Named {
+    const char* name;
+    CutoutSceneOptions options;
+};
+
+class Cutouts : public testing::TestWithParam<Named> {};
+
+/// Not more than 10 in a million, of the camera's triangles none but where a float's rounding decides.
+TEST_P(Cutouts, ExactAgreesWithTheOracle) {
+    const Verification v = verified(*makeCutoutScene(GetParam().options), "exact", 320, 4);
+    EXPECT_GT(v.tested, 100000u);
+    EXPECT_GT(v.shadowed, 4000u);
+    EXPECT_LE(v.ppm(), 10.0) << v.falseShadow << " false shadow, " << v.falseLit << " false lit of " << v.tested;
+    EXPECT_EQ(v.primaryDisagree, 0u) << "of " << v.primaryTested;
+    CutoutSceneOptions whole = GetParam().options;
+    whole.cutsOut = false;
+    const Verification without = verified(*makeCutoutScene(whole), "exact", 320, 4);
+    EXPECT_LT(static_cast<double>(v.shadowed), 0.9 * static_cast<double>(without.shadowed))
+        << "as if nothing were cut out";
+    RecordProperty("ppm", std::to_string(v.ppm()));
+    std::printf("%s: %.2f ppm of %llu, marginal %llu, primary marginal %llu of %llu\n", GetParam().name, v.ppm(),
+                static_cast<unsigned long long>(v.tested), static_cast<unsigned long long>(v.marginal),
+                static_cast<unsigned long long>(v.primaryMarginal), static_cast<unsigned long long>(v.primaryTested));
+}
+
+std::vector<Named> allScenes() {
+    return {{"spot", {}},
+            {"sun", {.sun = true}},
+            {"still_cards", {.sun = true, .cardsMove = false}},
+            {"still_light", {.lightMoves = false}},
+            {"all_still", {.lightMoves = false, .cardsMove = false}},
+            {"camera", {.sun = true, .cameraMoves = true}},
+            {"tilted", {.tilted = true}},
+            {"low_cutoff", {.cutoff = 0.1f}},
+            {"high_cutoff", {.sun = true, .cutoff = 0.9f}},
+            {"repeated", {.repeats = 2.5f, .wrap = Wrap::Repeat}},
+            {"mirrored", {.sun = true, .repeats = 1.5f, .wrap = Wrap::Mirror}},
+            {"nearest", {.repeats = 1.5f, .wrap = Wrap::Repeat, .nearest = true}},
+            {"box", {.repeats = 1.0f, .wrap = Wrap::Repeat, .closed = true}}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Cutouts, testing::ValuesIn(allScenes()),
+                         [](const auto& given) { return std::string(given.param.name); });
+
+constexpr int width = 112, map = 384;
+
+/// Mean light of each pixel.
+std::vector<double> drawn(const Scene& scene, Technique& technique, int samples, std::uint32_t seed) {
+    sharedRenderer().draw(planOf(scene, width, samples, map, seed), technique, View::Visibility);
+    const LinearImage picture = sharedRenderer().readRadiance();
+    std::vector<double> light;
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3) light.push_back(static_cast<double>(picture.rgb[i]));
+    return light;
+}
+
+double rms(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < a.size(); ++i) all.push_back(a[i] - b[i]);
+    return all;
+}
+
+/// A technique, or its published form.
+using Form = std::tuple<std::string, bool>;
+
+class CutoutsOf : public testing::TestWithParam<Form> {};
+
+/// Null where it has no such form.
+std::unique_ptr<Technique> made(const Form& form) {
+    const auto& [name, asPublished] = form;
+    std::unique_ptr<Technique> technique = makeTechnique(name, sharedRenderer().programs());
+    if (!asPublished) return technique;
+    for (const Setting& setting : settingsOf(*technique))
+        if (setting.key == "as_published") {
+            setFromText(*technique, setting.key, "on");
+            return technique;
+        }
+    return nullptr;
+}
+
+/// Against the truth on the same camera samples: a technique errs little more than where the cards are whole, as its
+/// shadows have more edges, and what is cut out changes its picture as it changes the truth.
+TEST_P(CutoutsOf, CastTheLeafsShadow) {
+    const std::unique_ptr<Technique> technique = made(GetParam());
+    if (!technique) GTEST_SKIP() << "has no published form";
+    for (const bool sun : {false, true}) {
+        const std::unique_ptr<Scene> leaves = makeCutoutScene({.sun = sun, .cutoff = 0.4f}),
+                                     whole = makeCutoutScene({.sun = sun, .cutsOut = false});
+        if (technique->unsupported(planOf(*leaves, width, 8, map, 1))) continue;
+        ReferenceTechnique truth, wholeTruth;
+        const std::vector<double> right = drawn(*leaves, truth, 8, 1), wholeRight = drawn(*whole, wholeTruth, 8, 1);
+        const std::vector<double> leaf = drawn(*leaves, *technique, 8, 1);
+        technique->forget();
+        const std::vector<double> card = drawn(*whole, *technique, 8, 1);
+        const double error = rms(leaf, right), wholeError = rms(card, wholeRight);
+        // What is cut out changes the picture by so much, and what it changes is off by so much.
+        const double change = rms(wholeRight, right);
+        const double off = rms(difference(leaf, card), difference(right, wholeRight));
+        std::printf("%s%s %s: error %.4f, of whole cards %.4f; change %.4f, off by %.4f\n",
+                    std::get<0>(GetParam()).c_str(), std::get<1>(GetParam()) ? " as published" : "",
+                    sun ? "sun" : "spot", error, wholeError, change, off);
+        EXPECT_LT(error, 2.5 * wholeError + 0.01);
+        EXPECT_LT(off, 0.5 * change);
+    }
+}
+
+std::vector<std::string> allNames() {
+    std::vector<std::string> names;
+    for (const TechniqueDescription& description : techniqueDescriptions()) names.push_back(description.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, CutoutsOf, testing::Combine(testing::ValuesIn(allNames()), testing::Bool()),
+                         [](const auto& given) {
+                             return std::get<0>(given.param) + (std::get<1>(given.param) ? "_published" : "");
+                         });
+
+/// Interval samples solve for edges, of which the outline of a leaf has none.
+TEST(CutoutsOfIntervalSamples, AreRefusedByTheMaterialsName) {
+    const std::unique_ptr<Scene> scene = makeCutoutScene({});
+    FrameRequest request = ProceduralScene::request(32, 24, 2, 64, 1);
+    request.samples = CameraSamples::Intervals;
+    try {
+        FramePlanner(*scene).plan(request);
+        FAIL() << "was planned";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("\"leaf\""), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("strata"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace timeshade
