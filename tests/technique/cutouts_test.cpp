@@ -1,7 +1,8 @@
 // What alpha cuts out of a triangle lets light and eyes through, in every technique, as the oracle decides by its own
 // arithmetic.
+#include <algorithm>
 #include <cmath>
-#include <functional>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -95,29 +96,30 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
     return all;
 }
 
-/// A technique, or its published form.
-using Form = std::tuple<std::string, bool>;
+/// A technique, and the switches that are on.
+using Form = std::tuple<std::string, std::string>;
 
 class CutoutsOf : public testing::TestWithParam<Form> {};
 
-/// Null where it has no such form.
+/// Null where it has no such switch.
 std::unique_ptr<Technique> made(const Form& form) {
-    const auto& [name, asPublished] = form;
+    const auto& [name, switches] = form;
     std::unique_ptr<Technique> technique = makeTechnique(name, sharedRenderer().programs());
-    if (!asPublished) return technique;
-    for (const Setting& setting : settingsOf(*technique))
-        if (setting.key == "as_published") {
-            setFromText(*technique, setting.key, "on");
-            return technique;
-        }
-    return nullptr;
+    std::istringstream keys(switches);
+    for (std::string key; keys >> key;) {
+        const std::vector<Setting> settings = settingsOf(*technique);
+        if (std::none_of(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; }))
+            return nullptr;
+        setFromText(*technique, key, "on");
+    }
+    return technique;
 }
 
 /// Against the truth on the same camera samples: a technique errs little more than where the cards are whole, as its
 /// shadows have more edges, and what is cut out changes its picture as it changes the truth.
 TEST_P(CutoutsOf, CastTheLeafsShadow) {
     const std::unique_ptr<Technique> technique = made(GetParam());
-    if (!technique) GTEST_SKIP() << "has no published form";
+    if (!technique) GTEST_SKIP() << "has no such form";
     for (const bool sun : {false, true}) {
         const std::unique_ptr<Scene> leaves = makeCutoutScene({.sun = sun, .cutoff = 0.4f}),
                                      whole = makeCutoutScene({.sun = sun, .cutsOut = false});
@@ -131,9 +133,9 @@ TEST_P(CutoutsOf, CastTheLeafsShadow) {
         // What is cut out changes the picture by so much, and what it changes is off by so much.
         const double change = rms(wholeRight, right);
         const double off = rms(difference(leaf, card), difference(right, wholeRight));
-        std::printf("%s%s %s: error %.4f, of whole cards %.4f; change %.4f, off by %.4f\n",
-                    std::get<0>(GetParam()).c_str(), std::get<1>(GetParam()) ? " as published" : "",
-                    sun ? "sun" : "spot", error, wholeError, change, off);
+        std::printf("%s %s %s: error %.4f, of whole cards %.4f; change %.4f, off by %.4f\n",
+                    std::get<0>(GetParam()).c_str(), std::get<1>(GetParam()).c_str(), sun ? "sun" : "spot", error,
+                    wholeError, change, off);
         EXPECT_LT(error, 2.5 * wholeError + 0.01);
         EXPECT_LT(off, 0.5 * change);
     }
@@ -145,9 +147,14 @@ std::vector<std::string> allNames() {
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, CutoutsOf, testing::Combine(testing::ValuesIn(allNames()), testing::Bool()),
+INSTANTIATE_TEST_SUITE_P(Techniques, CutoutsOf,
+                         testing::Combine(testing::ValuesIn(allNames()),
+                                          testing::Values("", "as_published", "coverage_map",
+                                                          "as_published coverage_map")),
                          [](const auto& given) {
-                             return std::get<0>(given.param) + (std::get<1>(given.param) ? "_published" : "");
+                             std::string name = std::get<0>(given.param) + "_" + std::get<1>(given.param);
+                             std::replace(name.begin(), name.end(), ' ', '_');
+                             return name;
                          });
 
 /// Interval samples solve for edges, of which the outline of a leaf has none.

@@ -93,6 +93,12 @@ std::vector<std::uint32_t> IntervalsShadow::listed(const FramePlan& plan) const 
     return all;
 }
 
+std::vector<std::string> IntervalsShadow::warnings(const FramePlan& plan) const {
+    if (!asPublished_ || capacity() == 0 || !plan.cutouts) return {};
+    return {
+        "intervals that are merged know no triangle: what alpha cuts out of one is shadowed where they stand for it"};
+}
+
 std::vector<PassDecision> IntervalsShadow::passes(const FramePlan& plan) const {
     const LightMotion& motion = plan.casters;
     std::vector<PassDecision> passes;

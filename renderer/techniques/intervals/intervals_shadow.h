@@ -27,6 +27,7 @@ class IntervalsShadow final : public Technique {
     Footprint footprint() const override;
     SamplingTraits samplingTraits() const override;
     std::shared_ptr<const Prediction> prediction() const override;
+    std::vector<std::string> warnings(const FramePlan& plan) const override;
     std::vector<PassDecision> passes(const FramePlan& plan) const override;
     bool solvesIntervals() const override { return true; }
     bool separatesStaticCasters() const override { return !asPublished_; }
