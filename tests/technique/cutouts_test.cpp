@@ -137,7 +137,9 @@ TEST_P(CutoutsOf, CastTheLeafsShadow) {
                     std::get<0>(GetParam()).c_str(), std::get<1>(GetParam()).c_str(), sun ? "sun" : "spot", error,
                     wholeError, change, off);
         EXPECT_LT(error, 2.5 * wholeError + 0.01);
-        EXPECT_LT(off, 0.5 * change);
+        // One that is blind to it is off by all of the change. What shadows itself does so differently where there are
+        // holes.
+        EXPECT_LT(off, 0.5 * change + 0.1 * wholeError);
     }
 }
 
