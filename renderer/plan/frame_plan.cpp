@@ -165,9 +165,8 @@ double exposureOf(const Scene& scene) {
     const glm::dvec3 path = scene.bounds().centre() - light.position;
     const double squared = light.kind == LightKind::Directional ? 1.0 : std::max(glm::dot(path, path), 1e-12);
     double strongest = std::max({light.intensity.x, light.intensity.y, light.intensity.z, 1e-12});
-    constexpr int times = 64;
-    for (int i = 0; scene.duration() > 0.0 && i <= times; ++i) {
-        const glm::dvec3 then = scene.light(scene.duration() * i / times).intensity;
+    for (int i = 0; scene.duration() > 0.0 && i <= 64; ++i) {
+        const glm::dvec3 then = scene.light(scene.duration() * i / 64).intensity;
         strongest = std::max({strongest, then.x, then.y, then.z});
     }
     return 2.6 * 3.14159265358979 * squared / strongest;

@@ -49,8 +49,8 @@ vec3 cameraRayAt(vec2 position, float u) {
                (cameraView.raysClose * vec4(position, 1.0, 0.0)).xyz, u);
 }
 
-// The edge functions of a triangle at an image position, at time u: barycentrics are their shares of their sum. The same
-// arithmetic as the sample pass.
+// The edge functions of a triangle at an image position, at time u: barycentrics are their shares of their sum. The
+// same arithmetic as the sample pass.
 vec3 edgesOnRay(MovingTriangle t, vec2 position, float u) {
     vec3 v0 = inCameraAt(t.open0, t.close0, u);
     vec3 v1 = inCameraAt(t.open1, t.close1, u);

@@ -180,7 +180,7 @@ void drawEverything() {
                   striped, View::Final, "columns");
     renderer.readPicture();
     for (const bool turns : {false, true}) {
-        drawLooks(renderer, *makeTechnique("exact", renderer.programs()), turns);
+        drawLooks(renderer, *makeTechnique(techniqueDescriptions().front().name, renderer.programs()), turns);
         for (const bool directional : {false, true}) {
             const std::unique_ptr<ProceduralScene> scene =
                 makeMovingScene({.quads = 8, .seed = 3, .cameraTurns = turns, .directionalLight = directional});
@@ -310,9 +310,8 @@ void theFramesDrawnHadEveryVariant() {
         for (const std::string view : {"", "VIEW_VISIBILITY=1"})
             for (const std::string weights : {"", "SHUTTER_WEIGHTS=1"})
                 has("passes/shade.frag", joined({turns, view, weights}));
-        for (const std::string colours : {"", "VERTEX_COLOURS=1"})
-            for (const std::string coordinates : {"", "MORE_COORDINATES=1"})
-                has("passes/shade.frag", joined({turns, colours, coordinates}));
+        for (const std::string looks : {"VERTEX_COLOURS=1", "MORE_COORDINATES=1"})
+            has("passes/shade.frag", joined({turns, looks}));
     }
     for (const std::string cover : {"passes/stochastic_points.vert", "passes/stochastic_rectangles.vert"}) {
         for (const std::string turns : {"", "VIEW_TURNS=1"}) has(cover, joined({"OUTPUT_ID=1", turns}));

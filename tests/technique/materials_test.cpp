@@ -80,7 +80,7 @@ std::vector<double> drawn(const GltfFile& file, const Grey& image = {1, 1, {255}
     request.shutter.length = 0.0;
     request.mapSize = 64;
     FramePlanner planner(*scene);
-    const auto technique = makeTechnique("exact", sharedRenderer().programs());
+    const auto technique = makeTechnique(techniqueDescriptions().front().name, sharedRenderer().programs());
     sharedRenderer().draw(planner.plan(request), *technique, View::Final);
     const LinearImage picture = sharedRenderer().readRadiance();
     std::vector<double> red;
