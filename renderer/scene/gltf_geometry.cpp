@@ -229,6 +229,9 @@ Geometry readGeometry(const Model& model, const Primitive& primitive, std::size_
     geometry.normals = readNormals(model, primitive, geometry, what);
     readAllCoordinates(model, primitive, geometry, lacks, what);
     geometry.colours = readColours(model, primitive, vertexCount, lacks.notes, what);
+    const bool cutOut = primitive.material >= 0 && model.materials[static_cast<std::size_t>(primitive.material)].cutOut;
+    if (cutOut && std::any_of(geometry.colours.begin(), geometry.colours.end(), [](auto& c) { return c.w < 1.0f; }))
+        lacks.notes.push_back(fmt::format("{} COLOR_0 has an alpha below 1, which cuts nothing out", what));
     if (jointCount > 0) geometry.jointSets = readJointSets(model, primitive, vertexCount, jointCount, what);
     for (const MorphTarget& target : primitive.targets) {
         MorphDeltas deltas;
