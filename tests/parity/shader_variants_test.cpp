@@ -153,6 +153,10 @@ void drawCutouts(FrameRenderer& renderer) {
         const std::unique_ptr<Scene> scene = makeCutoutScene({.sun = sun, .cameraMoves = sun});
         const FramePlan plan = FramePlanner(*scene).plan(ProceduralScene::request(16, 12, 2, 16, 1));
         ASSERT_NE(plan.cutouts, nullptr);
+        FrameRequest request = plan.request;
+        request.samples = CameraSamples::Intervals;
+        request.cameraPose = belowTheCards();
+        const FramePlan solved = FramePlanner(*scene).plan(request);
         for (const TechniqueDescription& description : techniqueDescriptions()) {
             const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
             std::vector<Setting> settings = settingsOf(*technique);
@@ -162,6 +166,8 @@ void drawCutouts(FrameRenderer& renderer) {
                 if (i > 0) settings[i].set(1.0 - settings[i].get());
                 if (!technique->unsupported(plan)) {
                     renderer.draw(plan, *technique, View::Visibility);
+                    if (!technique->hasOwnLookup() && technique->renders() == 1)
+                        renderer.draw(solved, *technique, View::Visibility);
                     for (const TechniqueView& view : technique->views())
                         renderer.draw(plan, *technique, View::Final, view.name);
                 }

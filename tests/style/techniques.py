@@ -55,7 +55,7 @@ ABOUT = {
     "tests/cli/limits_test.py": ("exact", "ranges"),  # their lists
     "tests/technique/motion_steps_test.cpp": ("accumulation", "exact", "integral", "tsm"),
     "tests/technique/turning_light_test.cpp": ("exact",),
-    "tests/technique/cutouts_test.cpp": ("exact",),
+    "tests/technique/cutouts_test.cpp": ("exact", "integral", "intervals"),
     "tests/verify/cutouts_test.py": ("exact",),
     "tests/verify/definition_test.py": ("exact",),
     "tests/technique/two_errors_test.cpp": ("accumulation", "tsm"),

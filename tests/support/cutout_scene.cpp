@@ -107,4 +107,6 @@ std::unique_ptr<Scene> makeCutoutScene(const CutoutSceneOptions& options) {
     return std::make_unique<MeshScene>(std::move(parts));
 }
 
+CameraPose belowTheCards() { return lookAt({0.9, 0.5, -0.6}, {0.9, 0.0, -0.6}, {0.0, 0.0, -1.0}, 1.8, 0.02); }
+
 }  // namespace timeshade

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "scene/camera.h"
 #include "scene/scene.h"
 
 namespace timeshade {
@@ -24,6 +25,9 @@ struct CutoutSceneOptions {
 };
 
 std::unique_ptr<Scene> makeCutoutScene(const CutoutSceneOptions& options);
+
+/// From below the cards down to their shadows on the ground: it sees none of them.
+CameraPose belowTheCards();
 
 /// The leaf: alpha in every texel between 0 and 255, soft at its edges, with a hole.
 Image leafImage(int side);

@@ -49,9 +49,6 @@ TEST_P(Cutouts, ExactAgreesWithTheOracle) {
     EXPECT_LT(static_cast<double>(v.shadowed), 0.9 * static_cast<double>(without.shadowed))
         << "as if nothing were cut out";
     RecordProperty("ppm", std::to_string(v.ppm()));
-    std::printf("%s: %.2f ppm of %llu, marginal %llu, primary marginal %llu of %llu\n", GetParam().name, v.ppm(),
-                static_cast<unsigned long long>(v.tested), static_cast<unsigned long long>(v.marginal),
-                static_cast<unsigned long long>(v.primaryMarginal), static_cast<unsigned long long>(v.primaryTested));
 }
 
 std::vector<Named> allScenes() {
@@ -170,6 +167,51 @@ TEST(CutoutsOfIntervalSamples, AreRefusedByTheMaterialsName) {
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("\"leaf\""), std::string::npos) << error.what();
         EXPECT_NE(std::string(error.what()).find("strata"), std::string::npos) << error.what();
+    }
+}
+
+/// Per pixel, for how much of the shutter its centre is lit.
+std::vector<double> litCentres(const Scene& scene, FrameRequest request, const std::string& technique) {
+    const std::unique_ptr<Technique> made = makeTechnique(technique, sharedRenderer().programs());
+    std::vector<double> lit(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height));
+    if (request.samples == CameraSamples::Intervals) {
+        sharedRenderer().draw(FramePlanner(scene).plan(request), *made, View::Visibility);
+        for (const FrameRenderer::PartValue& value : sharedRenderer().readParts())
+            lit[value.part.place] += (static_cast<double>(value.part.end) - static_cast<double>(value.part.begin)) *
+                                     static_cast<double>(value.lit * value.tested);
+        return lit;
+    }
+    constexpr std::uint32_t seeds = 4;
+    for (request.seed = 1; request.seed <= seeds; ++request.seed) {
+        sharedRenderer().draw(FramePlanner(scene).plan(request), *made, View::Visibility);
+        const std::vector<float> values = sharedRenderer().readVisibility();
+        for (std::size_t i = 0; i < values.size(); ++i)
+            lit[i % lit.size()] += static_cast<double>(values[i]) / request.samplesPerPixel / seeds;
+    }
+    return lit;
+}
+
+double rmsBetween(const std::vector<double>& a, const std::vector<double>& b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(squares / static_cast<double>(a.size()));
+}
+
+/// Where the camera sees only what they shadow, lit times are solved: against `exact` at 128 instants of each pixel's
+/// centre.
+TEST(CutoutsOfIntervalSamples, CastTheirShadow) {
+    for (const bool sun : {false, true}) {
+        const std::unique_ptr<Scene> scene = makeCutoutScene({.sun = sun}),
+                                     whole = makeCutoutScene({.sun = sun, .cutsOut = false});
+        FrameRequest request = ProceduralScene::request(64, 48, 32, 512, 1);
+        request.cameraPose = belowTheCards();
+        request.pixelCentres = true;
+        const std::vector<double> truth = litCentres(*scene, request, "exact");
+        request.samplesPerPixel = 1;
+        request.samples = CameraSamples::Intervals;
+        EXPECT_GT(rmsBetween(litCentres(*whole, request, "integral"), truth), 0.1) << "nothing is cut out";
+        EXPECT_LT(rmsBetween(litCentres(*scene, request, "integral"), truth), 0.01);
+        EXPECT_LT(rmsBetween(litCentres(*scene, request, "intervals"), truth), 0.03);
     }
 }
 
