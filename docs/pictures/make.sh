@@ -55,3 +55,14 @@ chess=(chess --camera knight)
 "$run" shot "${chess[@]}" --technique exact --spp 32 --size 320x240 -o "$work/figure-3.png"
 convert "$work"/figure-?.png -crop 150x75+60+150 +repage -filter point -resize 200% +append "$work/row-4.png"
 convert "$work"/row-?.png -append -quality 88 "$here/interval-figures.jpg"
+
+# No noise in time: integral on interval samples, 4 positions a pixel; exact with 8 and with 32 samples.
+for figure in "octopus --camera above" "chess --camera knight"; do
+    read -ra scene <<<"$figure"
+    "$run" shot "${scene[@]}" --size 320x240 --technique integral --samples intervals --spp 4 -o "$work/noise-0.png"
+    "$run" shot "${scene[@]}" --size 320x240 --technique exact --spp 8 -o "$work/noise-1.png"
+    "$run" shot "${scene[@]}" --size 320x240 --technique exact --spp 32 -o "$work/noise-2.png"
+    convert "$work"/noise-?.png -crop 160x90+90+105 +repage -filter point -resize 250% +append \
+        "$work/noise-row-$((noise = ${noise:-0} + 1)).png"
+done
+convert "$work"/noise-row-?.png -append -quality 88 "$here/interval-noise.jpg"

@@ -62,7 +62,7 @@ void Foliage::visitSettings(SettingsVisitor& visitor) {
     visitor.whole("count", count_, 40, 1, 400, "leaves", "How many leaves there are.");
     visitor.number("sway", sway_, 8.0, 0.0, 30.0, "degrees", "How far each leaf sways to either side.");
     visitor.number("sun", sun_, 3.0, 0.0, 10.0, "degrees per frame", "How far the sun moves in one frame.");
-    visitor.whole("seed", seed_, 1, 1, 1000, "", "Other leaves for each.");
+    visitor.whole("seed", seed_, 1, 1, 1000, "seed", "Another number is another arrangement of all leaves.");
 }
 
 std::unique_ptr<Scene> Foliage::make() {

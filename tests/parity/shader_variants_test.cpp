@@ -163,13 +163,14 @@ void drawCutouts(FrameRenderer& renderer) {
             std::erase_if(settings, [](const Setting& setting) { return !setting.isSwitch(); });
             settings.insert(settings.begin(), Setting{});  // none of them changed
             for (std::size_t i = 0; i < settings.size(); ++i) {
+                if (sun && i > 0 && settings[i].key != "as_published") continue;  // a sun makes no other difference
                 if (i > 0) settings[i].set(1.0 - settings[i].get());
                 if (!technique->unsupported(plan)) {
                     renderer.draw(plan, *technique, View::Visibility);
-                    if (!technique->hasOwnLookup() && technique->renders() == 1)
-                        renderer.draw(solved, *technique, View::Visibility);
-                    for (const TechniqueView& view : technique->views())
-                        renderer.draw(plan, *technique, View::Final, view.name);
+                    if (technique->solvesIntervals() && !sun) renderer.draw(solved, *technique, View::Visibility);
+                    if (i == 0 && !sun)
+                        for (const TechniqueView& view : technique->views())
+                            renderer.draw(plan, *technique, View::Final, view.name);
                 }
                 if (i > 0) settings[i].set(1.0 - settings[i].get());
             }
