@@ -6,6 +6,7 @@
 
 #include <embree3/rtcore.h>
 
+#include "core/error.h"
 #include "shared/sample_pattern.shared.h"
 
 namespace timeshade {
@@ -187,7 +188,11 @@ struct EmbreeBaseline::Implementation {
     std::vector<RayEnd> ends;
 };
 
-EmbreeBaseline::EmbreeBaseline(const FramePlan& plan) : implementation_(std::make_unique<Implementation>(plan)) {}
+EmbreeBaseline::EmbreeBaseline(const FramePlan& plan) {
+    if (plan.cutouts)
+        throw Error("embree: its rays would meet whole what alpha cuts out (alphaMode MASK); leave it out here");
+    implementation_ = std::make_unique<Implementation>(plan);
+}
 EmbreeBaseline::~EmbreeBaseline() = default;
 
 void EmbreeBaseline::build() { implementation_->scene = buildScene(implementation_->device, implementation_->plan); }

@@ -10,10 +10,10 @@ namespace timeshade {
 
 /// Embree at its best on a frame's camera samples, as the baseline to measure against: linear motion blur, packets of
 /// eight neighbours in one stratum, all threads, no callbacks, floats throughout. No doubtful sample is resolved
-/// exactly, what alpha cuts out is whole, and nothing is handed over: this is the bare loop. The reference is Oracle.
+/// exactly, and nothing is handed over: this is the bare loop. The reference is Oracle.
 class EmbreeBaseline {
   public:
-    /// Makes room for what is traced; the plan must outlive it.
+    /// Makes room for what is traced; the plan must outlive it. Throws Error where alpha cuts something out.
     explicit EmbreeBaseline(const FramePlan& plan);
     ~EmbreeBaseline();
     EmbreeBaseline(const EmbreeBaseline&) = delete;

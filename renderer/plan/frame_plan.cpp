@@ -257,27 +257,6 @@ std::string lightWords(const MotionSummary& motion) {
     return motion.lightMoves ? "moves" : "stands still";
 }
 
-/// Shadow maps and what is built on them take a caster's path in the map as straight. Where a sun turns over one that
-/// moves it is a parabola: what they may be off by.
-std::optional<PathWarning> bentPathWarning(const FramePlan& plan) {
-    if (plan.light.projection != Projection::Orthographic || plan.motion.lightTurnDegrees == 0.0) return std::nullopt;
-    const glm::mat3 turn =
-        glm::mat3(plan.light.block.viewFromWorldClose) - glm::mat3(plan.light.block.viewFromWorldOpen);
-    float largest = 0.0f;
-    for (std::size_t v = 0; v + 1 < plan.texels->vertices.size(); v += 2) {
-        const glm::vec3 off = glm::abs(turn * (plan.texels->vertices[v + 1] - plan.texels->vertices[v]));
-        largest = std::max({largest, off.x, off.y});
-    }
-    const double texels = 0.25 * static_cast<double>(largest) * plan.request.mapSize.longerSide();
-    if (texels < 0.5) return std::nullopt;
-    return PathWarning{
-        PathWarning::Kind::Map, texels,
-        fmt::format(
-            "casters move while the sun turns: shadow maps take their paths as straight, which is off by up to {:.1f} "
-            "texels",
-            texels)};
-}
-
 std::string motionWords(const MotionSummary& motion) {
     return fmt::format("{} of {} triangles move, the light {}, the camera {}", motion.movingTriangles, motion.triangles,
                        lightWords(motion), motion.cameraMoves ? "moves" : "stands still");

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "plan/mesh_texels.h"
+
 namespace timeshade {
 
 namespace {
@@ -230,6 +232,25 @@ std::vector<PathWarning> pathWarnings(const Scene& scene, const FramePlan& plan,
     addCamera(scene, plan, inner, times, warnings);
     addLight(scene, plan, inner, times, warnings);
     return warnings;
+}
+
+std::optional<PathWarning> bentPathWarning(const FramePlan& plan) {
+    if (plan.light.projection != Projection::Orthographic || plan.motion.lightTurnDegrees == 0.0) return std::nullopt;
+    const glm::mat3 turn =
+        glm::mat3(plan.light.block.viewFromWorldClose) - glm::mat3(plan.light.block.viewFromWorldOpen);
+    float largest = 0.0f;
+    for (std::size_t v = 0; v + 1 < plan.texels->vertices.size(); v += 2) {
+        const glm::vec3 off = glm::abs(turn * (plan.texels->vertices[v + 1] - plan.texels->vertices[v]));
+        largest = std::max({largest, off.x, off.y});
+    }
+    const double texels = 0.25 * static_cast<double>(largest) * plan.request.mapSize.longerSide();
+    if (texels < 0.5) return std::nullopt;
+    return PathWarning{
+        PathWarning::Kind::Map, texels,
+        fmt::format(
+            "casters move while the sun turns: shadow maps take their paths as straight, which is off by up to {:.1f} "
+            "texels",
+            texels)};
 }
 
 }  // namespace timeshade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "plan/frame_plan.h"
@@ -11,5 +12,9 @@ namespace timeshade {
 /// end of it. `inner`: of the scene at `times`, whose plan has mesh, views and light already.
 std::vector<PathWarning> pathWarnings(const Scene& scene, const FramePlan& plan, const InnerMotion& inner,
                                       const ShutterTimes& times);
+
+/// Shadow maps and what is built on them take a caster's path in the map as straight. Where a sun turns over one that
+/// moves it is a parabola: what they may be off by.
+std::optional<PathWarning> bentPathWarning(const FramePlan& plan);
 
 }  // namespace timeshade
