@@ -129,7 +129,8 @@ void PixelProbe::solveSegments(const FramePlan& plan) {
 }
 
 void PixelProbe::evaluateNext(Session& session) {
-    if (segments_.empty()) return solveSegments(session.renderer.plan());
+    const FramePlan& plan = session.renderer.plan();
+    if (segments_.empty() && !plan.cutouts) return solveSegments(plan);  // alpha has no edges to solve for
     if (rows_.empty() && session.renderer.renders() == 1) {
         addRow(session.renderer.plan(), session.renderer, session.technique.current());
         return announceNext();

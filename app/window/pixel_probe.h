@@ -45,7 +45,8 @@ class PixelProbe {
     /// The square around the pixel, first row uppermost; null until it has been read.
     const gl::Texture* square() const { return square_ ? &*square_ : nullptr; }
     const std::vector<Row>& rows() const { return rows_; }
-    /// What the pixel's centre sees over the shutter, and how much of it is lit; empty until it has been solved.
+    /// What the pixel's centre sees over the shutter, and how much of it is lit; empty until it has been
+    /// solved, and in scenes of which alpha cuts something out.
     const std::vector<LitSegment>& segments() const { return segments_; }
     bool complete() const { return complete_; }
     /// What is being evaluated; or why something can't be.

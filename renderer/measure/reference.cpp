@@ -31,6 +31,9 @@ std::string sceneDigest(const FramePlan& plan) {
             digest.bytes(&use.wrapU, sizeof use.wrapU);
             digest.bytes(&use.wrapV, sizeof use.wrapV);
         }
+        const Cutout cutout = material.cutout.value_or(Cutout{});  // without one its threshold is 0
+        digest.bytes(&cutout.threshold, sizeof cutout.threshold);
+        digest.bytes(&cutout.nearest, sizeof cutout.nearest);
     }
     digest.values(plan.mesh->topology->moreCoordinates);
     digest.values(plan.mesh->topology->colours);

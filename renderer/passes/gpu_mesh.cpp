@@ -14,9 +14,9 @@ namespace timeshade {
 
 namespace {
 
-static_assert(static_cast<std::uint32_t>(Wrap::Repeat) == CUTOUT_WRAP_REPEAT &&
-              static_cast<std::uint32_t>(Wrap::Mirror) == CUTOUT_WRAP_MIRRORED &&
-              static_cast<std::uint32_t>(Wrap::Clamp) == CUTOUT_WRAP_CLAMP);
+static_assert(static_cast<std::uint32_t>(Wrap::Repeat) == TEXTURE_REPEATS &&
+              static_cast<std::uint32_t>(Wrap::Mirror) == TEXTURE_MIRRORS &&
+              static_cast<std::uint32_t>(Wrap::Clamp) == TEXTURE_CLAMPS);
 
 /// Largest side of a layer of the image arrays; larger images are reduced to it.
 constexpr int imageArraySide = 1024;
@@ -71,13 +71,14 @@ gl::Texture imageArray(const std::string& label, GLenum format, const std::vecto
     return texture;
 }
 
+std::uint32_t wrapBits(Wrap u, Wrap v) {
+    return static_cast<std::uint32_t>(u) << TEXTURE_WRAP_U_SHIFT | static_cast<std::uint32_t>(v)
+                                                                       << TEXTURE_WRAP_V_SHIFT;
+}
+
 /// As a number of a material's texels.
 float packed(const TextureUse& use) {
-    const auto wrap = [](Wrap side) {
-        return side == Wrap::Mirror ? TEXTURE_MIRRORS : side == Wrap::Clamp ? TEXTURE_CLAMPS : TEXTURE_REPEATS;
-    };
-    return static_cast<float>(static_cast<unsigned>(use.coordinates) | wrap(use.wrapU) << TEXTURE_WRAP_U_SHIFT |
-                              wrap(use.wrapV) << TEXTURE_WRAP_V_SHIFT);
+    return static_cast<float>(static_cast<std::uint32_t>(use.coordinates) | wrapBits(use.wrapU, use.wrapV));
 }
 
 /// Where an image lies in its array, adding it at the end if it is new; -1 stays -1.
@@ -181,8 +182,7 @@ void GpuMesh::uploadCutouts(const Cutouts& cutouts) {
                              static_cast<std::uint32_t>(sheet.width) | static_cast<std::uint32_t>(sheet.height) << 16u,
                              static_cast<std::uint32_t>(sheet.first),
                              (sheet.cuts ? CUTOUT_PRESENT : 0u) | (sheet.nearest ? CUTOUT_NEAREST : 0u) |
-                                 static_cast<std::uint32_t>(sheet.wrapU) << CUTOUT_WRAP_U_SHIFT |
-                                 static_cast<std::uint32_t>(sheet.wrapV) << CUTOUT_WRAP_V_SHIFT);
+                                 wrapBits(sheet.wrapU, sheet.wrapV));
     cutoutMaterials_.emplace("cut-out materials", std::span<const glm::u32vec4>(records));
     cutoutAlphas_.emplace("alphas of cut-outs", std::span<const std::uint8_t>(cutouts.alphas()));
     cutoutMaterialsView_ = gl::Texture::ofBuffer("cut-out materials", GL_RGBA32UI, *cutoutMaterials_);

@@ -25,6 +25,18 @@ Runs runsOf(const std::vector<std::uint32_t>& triangles) {
     return runs;
 }
 
+/// `none`: a vertex array without attributes. What is cut out needs to know its triangle, so its vertices are not
+/// shared.
+void drawRuns(const FramePlan& plan, const GpuMesh& mesh, const gl::VertexArray& none, const Runs& runs) {
+    const auto count = static_cast<GLsizei>(runs.counts.size());
+    glBindVertexArray(plan.cutouts ? none.name() : mesh.vertices().name());
+    if (count > 0 && plan.cutouts)
+        glMultiDrawArrays(GL_TRIANGLES, runs.firsts.data(), runs.counts.data(), count);
+    else if (count > 0)
+        glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.offsets.data(), count);
+    glDisable(GL_DEPTH_TEST);
+}
+
 }  // namespace
 
 void ShadowMap::begin(const FramePlan& plan, float instant, const glm::mat3& mapFromPlane) {
@@ -62,36 +74,17 @@ void ShadowMap::clear() const {
     if (keepsTriangles_) glClearNamedFramebufferuiv(target_->name(), GL_COLOR, 0, none);
 }
 
-void ShadowMap::drawRuns(const FramePlan& plan, const GpuMesh& mesh,
-                         const std::vector<std::uint32_t>& triangles) const {
-    const Runs runs = runsOf(triangles);
-    glBindVertexArray(plan.cutouts ? none_.name() : mesh.vertices().name());
-    if (!triangles.empty() && plan.cutouts)
-        glMultiDrawArrays(GL_TRIANGLES, runs.firsts.data(), runs.counts.data(),
-                          static_cast<GLsizei>(runs.counts.size()));
-    else if (!triangles.empty())
-        glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.offsets.data(),
-                            static_cast<GLsizei>(runs.counts.size()));
-    glDisable(GL_DEPTH_TEST);
-}
-
 void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant, const glm::mat3& mapFromPlane) {
     begin(plan, instant, mapFromPlane);
     clear();
-    glBindVertexArray(plan.cutouts ? none_.name() : mesh.vertices().name());
-    const auto corners = static_cast<GLsizei>(3 * mesh.triangleCount());
-    if (plan.cutouts)
-        glDrawArrays(GL_TRIANGLES, 0, corners);
-    else
-        glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
-    glDisable(GL_DEPTH_TEST);
+    drawRuns(plan, mesh, none_, {{static_cast<GLsizei>(3 * mesh.triangleCount())}, {nullptr}, {0}});
 }
 
 void ShadowMap::draw(const FramePlan& plan, const GpuMesh& mesh, float instant,
                      const std::vector<std::uint32_t>& triangles) {
     begin(plan, instant, glm::mat3(1.0f));
     clear();
-    drawRuns(plan, mesh, triangles);
+    drawRuns(plan, mesh, none_, runsOf(triangles));
 }
 
 void ShadowMap::drawOnto(const ShadowMap& start, const FramePlan& plan, const GpuMesh& mesh, float instant,
@@ -99,7 +92,7 @@ void ShadowMap::drawOnto(const ShadowMap& start, const FramePlan& plan, const Gp
     begin(plan, instant, glm::mat3(1.0f));
     glCopyImageSubData(start.depth().name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, depth_->name(), GL_TEXTURE_2D_ARRAY, 0, 0,
                        0, 0, depth_->width(), depth_->height(), 1);
-    drawRuns(plan, mesh, triangles);
+    drawRuns(plan, mesh, none_, runsOf(triangles));
 }
 
 }  // namespace timeshade

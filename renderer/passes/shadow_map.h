@@ -39,7 +39,6 @@ class ShadowMap {
   private:
     void begin(const FramePlan& plan, float instant, const glm::mat3& mapFromPlane);
     void clear() const;
-    void drawRuns(const FramePlan& plan, const GpuMesh& mesh, const std::vector<std::uint32_t>& triangles) const;
 
     gl::ProgramCache& programs_;
     bool keepsTriangles_;

@@ -26,21 +26,22 @@ std::shared_ptr<const Cutouts> Cutouts::of(const std::vector<Material>& material
     for (std::size_t m = 0; m < materials.size(); ++m) {
         if (!cut(materials[m])) continue;
         const Cutout& cutout = *materials[m].cutout;
+        const TextureUse& use = materials[m].baseColor;
         Sheet& sheet = cutouts->sheets_[m];
-        sheet = {true, cutout.threshold, 1, 1, cutouts->alphas_.size(), cutout.wrapU, cutout.wrapV, cutout.nearest};
-        if (cutout.image >= 0) {
-            const Image& image = images[static_cast<std::size_t>(cutout.image)];
+        sheet = {true, cutout.threshold, 1, 1, cutouts->alphas_.size(), use.wrapU, use.wrapV, cutout.nearest};
+        if (use.image >= 0) {
+            const Image& image = images[static_cast<std::size_t>(use.image)];
             sheet.width = image.width;
             sheet.height = image.height;
         }
-        const auto [place, isNew] = known.try_emplace(cutout.image, sheet.first);
+        const auto [place, isNew] = known.try_emplace(use.image, sheet.first);
         sheet.first = place->second;
         if (!isNew) continue;
-        if (cutout.image < 0) {
+        if (use.image < 0) {
             cutouts->alphas_.push_back(255);
             continue;
         }
-        const std::vector<std::uint8_t>& rgba = images[static_cast<std::size_t>(cutout.image)].rgba;
+        const std::vector<std::uint8_t>& rgba = images[static_cast<std::size_t>(use.image)].rgba;
         CHECK_EQ(rgba.size(), 4 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
         for (std::size_t i = 3; i < rgba.size(); i += 4) cutouts->alphas_.push_back(rgba[i]);
     }

@@ -98,19 +98,17 @@ std::optional<Cutout> cutoutOf(const Model& model, const MaterialSource& source,
                                const std::vector<Image>& images) {
     Cutout cutout;
     cutout.threshold = cutoutThreshold(source.alphaCutoff, static_cast<double>(material.baseColorFactor.w));
-    cutout.image = material.baseColor.image;
-    cutout.wrapU = material.baseColor.wrapU;
-    cutout.wrapV = material.baseColor.wrapV;
+    const int image = material.baseColor.image;
     int least = 255;
-    if (cutout.image >= 0) {
+    if (image >= 0) {
         cutout.nearest = model.textures[static_cast<std::size_t>(source.material.baseColor.image)].nearest;
-        const std::vector<std::uint8_t>& rgba = images[static_cast<std::size_t>(cutout.image)].rgba;
+        const std::vector<std::uint8_t>& rgba = images[static_cast<std::size_t>(image)].rgba;
         for (std::size_t i = 3; i < rgba.size(); i += 4) least = std::min<int>(least, rgba[i]);
     }
     if (static_cast<float>(least) >= cutout.threshold) return std::nullopt;
-    if (cutout.image >= 0) {
+    if (image >= 0) {
         constexpr std::size_t copies = 2;  // here and on the device
-        model.memory->take(copies, images[static_cast<std::size_t>(cutout.image)].rgba.size() / 4, "its cut-outs");
+        model.memory->take(copies, images[static_cast<std::size_t>(image)].rgba.size() / 4, "its cut-outs");
     }
     return cutout;
 }

@@ -19,13 +19,11 @@ struct TextureUse {
     Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
 };
 
-/// What alpha cuts out of a surface (glTF's alphaMode MASK): where alpha is less than the cutoff there is nothing, for
-/// eyes and for light (docs/numerics.md, "Cut-outs").
+/// What alpha cuts out of a surface (glTF's alphaMode MASK): where the alpha of its base colour's image is less than
+/// the cutoff there is nothing, for eyes and for light (docs/numerics.md, "Cut-outs").
 struct Cutout {
-    float threshold = 0.0f;  ///< least alpha that covers, in 1/255 of what the image holds; > 0
-    int image = -1;          ///< index into Scene::images(), whose alpha counts; -1: 255 everywhere
-    Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
-    bool nearest = false;  ///< one texel counts, the one that holds the place; else four, bilinearly
+    float threshold = 0.0f;  ///< least alpha that covers, in 1/255 of what the image holds (255 without one); > 0
+    bool nearest = false;    ///< one texel counts, the one that holds the place; else four, bilinearly
 };
 
 /// Of glTF's numbers: alpha is `factor` times the image's, and covers from `cutoff` on.

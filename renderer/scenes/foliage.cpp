@@ -76,8 +76,7 @@ std::unique_ptr<Scene> Foliage::make() {
     Material& leaves = parts.materials.back();
     leaves.doubleSided = true;
     leaves.baseColor = {.image = 0, .wrapU = Wrap::Clamp, .wrapV = Wrap::Clamp};
-    leaves.cutout =
-        Cutout{.threshold = cutoutThreshold(0.5, 1.0), .image = 0, .wrapU = Wrap::Clamp, .wrapV = Wrap::Clamp};
+    leaves.cutout = Cutout{.threshold = cutoutThreshold(0.5, 1.0)};
     parts.instances.push_back(ground(groundSide, 0));
 
     const auto shape = std::make_shared<const Shape>(leafShape());

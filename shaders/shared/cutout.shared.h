@@ -1,21 +1,15 @@
 #ifdef __cplusplus
 #pragma once
 #endif
-#include "shared/types.shared.h"
+#include "shared/frame_blocks.shared.h"
 
 // How alpha is read that cuts out parts of a triangle (docs/numerics.md, "Cut-outs"): from the image as the file has
 // it, by whole texels, never by a device's filter, so that all techniques and all devices see one outline.
 
 // A material's record is four words: the threshold's bits, width and height in 16 bits each, the first byte of its
-// alphas, and these flags.
+// alphas, and these flags beside those of TEXTURE_WRAP.
 #define CUTOUT_PRESENT 1u  // else the material covers all over
 #define CUTOUT_NEAREST 2u
-#define CUTOUT_WRAP_U_SHIFT 2u
-#define CUTOUT_WRAP_V_SHIFT 4u
-#define CUTOUT_WRAP_MASK 3u
-#define CUTOUT_WRAP_REPEAT 0u
-#define CUTOUT_WRAP_MIRRORED 1u
-#define CUTOUT_WRAP_CLAMP 2u
 
 SHARED_BEGIN
 
@@ -31,8 +25,8 @@ SHARED_FUNCTION vec2 weightedCoordinates(vec2 t0, vec2 t1, vec2 t2, vec3 weights
 SHARED_FUNCTION float cutoutPlaceOf(float coordinate, float size, uint wrap) {
     float t = coordinate;
     if (!(abs(t) < SHARED_FLOAT(1e9))) t = SHARED_FLOAT(0.0);
-    if (wrap == CUTOUT_WRAP_REPEAT) t = t - floor(t);
-    if (wrap == CUTOUT_WRAP_MIRRORED) {
+    if (wrap == TEXTURE_REPEATS) t = t - floor(t);
+    if (wrap == TEXTURE_MIRRORS) {
         t = t - SHARED_FLOAT(2.0) * floor(SHARED_FLOAT(0.5) * t);
         t = min(t, SHARED_FLOAT(2.0) - t);
     }
@@ -41,7 +35,7 @@ SHARED_FUNCTION float cutoutPlaceOf(float coordinate, float size, uint wrap) {
 
 /// The texel of that number, which is at most one beyond the image.
 SHARED_FUNCTION int cutoutTexelOf(int number, int size, uint wrap) {
-    if (wrap == CUTOUT_WRAP_REPEAT) return number < 0 ? number + size : (number >= size ? number - size : number);
+    if (wrap == TEXTURE_REPEATS) return number < 0 ? number + size : (number >= size ? number - size : number);
     return min(max(number, 0), size - 1);  // a mirrored image repeats its border texel there
 }
 
@@ -52,8 +46,8 @@ struct CutoutTexels {
 };
 
 SHARED_FUNCTION CutoutTexels cutoutTexels(vec2 coordinates, ivec2 size, uint flags) {
-    uint wrapU = (flags >> CUTOUT_WRAP_U_SHIFT) & CUTOUT_WRAP_MASK;
-    uint wrapV = (flags >> CUTOUT_WRAP_V_SHIFT) & CUTOUT_WRAP_MASK;
+    uint wrapU = (flags >> TEXTURE_WRAP_U_SHIFT) & TEXTURE_WRAP;
+    uint wrapV = (flags >> TEXTURE_WRAP_V_SHIFT) & TEXTURE_WRAP;
     vec2 place =
         vec2(cutoutPlaceOf(coordinates.x, float(size.x), wrapU), cutoutPlaceOf(coordinates.y, float(size.y), wrapV));
     bool one = (flags & CUTOUT_NEAREST) != 0u;

@@ -31,11 +31,8 @@ Material leafMaterial(const CutoutSceneOptions& options) {
     material.doubleSided = !options.closed;
     material.baseColor = {.image = 0, .wrapU = options.wrap, .wrapV = options.wrap};
     if (options.cutsOut)
-        material.cutout = Cutout{.threshold = cutoutThreshold(static_cast<double>(options.cutoff), 1.0),
-                                 .image = 0,
-                                 .wrapU = options.wrap,
-                                 .wrapV = options.wrap,
-                                 .nearest = options.nearest};
+        material.cutout =
+            Cutout{.threshold = cutoutThreshold(static_cast<double>(options.cutoff), 1.0), .nearest = options.nearest};
     return material;
 }
 

@@ -10,10 +10,12 @@
 
 #include "cases/procedural_scene.h"
 #include "core/error.h"
+#include "measure/reference.h"
 #include "measure/reference_technique.h"
 #include "measure/verification.h"
 #include "support/cutout_scene.h"
 #include "support/gl_environment.h"
+#include "support/lit_centres.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -160,31 +162,8 @@ TEST(CutoutsOfIntervalSamples, AreRefusedByTheMaterialsName) {
     }
 }
 
-/// Per pixel, for how much of the shutter its centre is lit.
-std::vector<double> litCentres(const Scene& scene, FrameRequest request, const std::string& technique) {
-    const std::unique_ptr<Technique> made = makeTechnique(technique, sharedRenderer().programs());
-    std::vector<double> lit(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height));
-    if (request.samples == CameraSamples::Intervals) {
-        sharedRenderer().draw(FramePlanner(scene).plan(request), *made, View::Visibility);
-        for (const FrameRenderer::PartValue& value : sharedRenderer().readParts())
-            lit[value.part.place] += (static_cast<double>(value.part.end) - static_cast<double>(value.part.begin)) *
-                                     static_cast<double>(value.lit * value.tested);
-        return lit;
-    }
-    constexpr std::uint32_t seeds = 4;
-    for (request.seed = 1; request.seed <= seeds; ++request.seed) {
-        sharedRenderer().draw(FramePlanner(scene).plan(request), *made, View::Visibility);
-        const std::vector<float> values = sharedRenderer().readVisibility();
-        for (std::size_t i = 0; i < values.size(); ++i)
-            lit[i % lit.size()] += static_cast<double>(values[i]) / request.samplesPerPixel / seeds;
-    }
-    return lit;
-}
-
-double rmsBetween(const std::vector<double>& a, const std::vector<double>& b) {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(squares / static_cast<double>(a.size()));
+std::vector<double> litCentres(const Scene& scene, const FrameRequest& request, const std::string& technique) {
+    return litAtCentres(scene, request, *makeTechnique(technique, sharedRenderer().programs()), 4);
 }
 
 /// Where the camera sees only what they shadow, lit times are solved: against `exact` at 128 instants of each pixel's
@@ -199,10 +178,23 @@ TEST(CutoutsOfIntervalSamples, CastTheirShadow) {
         const std::vector<double> truth = litCentres(*scene, request, "exact");
         request.samplesPerPixel = 1;
         request.samples = CameraSamples::Intervals;
-        EXPECT_GT(rmsBetween(litCentres(*whole, request, "integral"), truth), 0.1) << "nothing is cut out";
-        EXPECT_LT(rmsBetween(litCentres(*scene, request, "integral"), truth), 0.01);
-        EXPECT_LT(rmsBetween(litCentres(*scene, request, "intervals"), truth), 0.03);
+        EXPECT_GT(rms(litCentres(*whole, request, "integral"), truth), 0.1) << "nothing is cut out";
+        EXPECT_LT(rms(litCentres(*scene, request, "integral"), truth), 0.01);
+        EXPECT_LT(rms(litCentres(*scene, request, "intervals"), truth), 0.03);
     }
+}
+
+/// A reference that was drawn of other holes is another one's.
+TEST(CutoutReference, IsKeyedByWhatIsCutOut) {
+    const auto keyOf = [](const CutoutSceneOptions& options) {
+        return referenceKey(planOf(*makeCutoutScene(options), 32, 2, 64, 1), {});
+    };
+    const std::string key = keyOf({});
+    EXPECT_EQ(key, keyOf({}));
+    EXPECT_NE(key, keyOf({.cutsOut = false}));
+    EXPECT_NE(key, keyOf({.cutoff = 0.9f}));
+    EXPECT_NE(key, keyOf({.nearest = true}));
+    EXPECT_NE(key, keyOf({.wrap = Wrap::Repeat}));
 }
 
 }  // namespace

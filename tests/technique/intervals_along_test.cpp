@@ -6,6 +6,7 @@
 
 #include "scene_catalogue.h"
 #include "support/gl_environment.h"
+#include "support/lit_centres.h"
 #include "support/moving_scene.h"
 #include "techniques/intervals/intervals_shadow.h"
 
@@ -34,24 +35,10 @@ FrameRequest requestOf(const Scene& scene) {
     return request;
 }
 
-/// Per pixel, the share of the shutter during which its centre sees light or the background.
 std::vector<double> litOf(const Scene& scene, const FrameRequest& request, const Settings& settings) {
     IntervalsShadow technique(sharedRenderer().programs());
     for (const auto& [key, value] : settings) setFromText(technique, key, value);
-    sharedRenderer().draw(FramePlanner(scene).plan(request), technique, View::Visibility);
-    std::vector<double> lit(static_cast<std::size_t>(width) * height);
-    if (sharedRenderer().hasIntervalSamples()) {
-        for (const FrameRenderer::PartValue& value : sharedRenderer().readParts()) {
-            const double exposure = static_cast<double>(value.part.end) - static_cast<double>(value.part.begin);
-            const bool isBackground = value.part.triangle == NO_TRIANGLE;
-            lit[value.part.place] += isBackground ? exposure : exposure * static_cast<double>(value.lit * value.tested);
-        }
-        return lit;
-    }
-    const std::vector<float> values = sharedRenderer().readVisibility();
-    for (std::size_t i = 0; i < values.size(); ++i)
-        lit[i % lit.size()] += static_cast<double>(values[i]) / request.samplesPerPixel;
-    return lit;
+    return litAtCentres(scene, request, technique, seeds);
 }
 
 struct Difference {
@@ -63,11 +50,7 @@ Difference differenceOf(const std::string& name, const Settings& settings) {
     const std::unique_ptr<Scene> scene = sceneOf(name);
     FrameRequest request = requestOf(*scene);
     request.samplesPerPixel = instants;
-    std::vector<double> sampled(static_cast<std::size_t>(width) * height);
-    for (request.seed = 1; request.seed <= seeds; ++request.seed) {
-        const std::vector<double> lit = litOf(*scene, request, settings);
-        for (std::size_t i = 0; i < lit.size(); ++i) sampled[i] += lit[i] / seeds;
-    }
+    const std::vector<double> sampled = litOf(*scene, request, settings);
     request.samplesPerPixel = 1;
     request.samples = CameraSamples::Intervals;
     const std::vector<double> solved = litOf(*scene, request, settings);

@@ -28,8 +28,8 @@ using test::TemporaryFolder;
 /// What the shaders do, on the CPU.
 float sharedAlpha(const Cutouts::Sheet& sheet, const std::vector<std::uint8_t>& alphas, glm::vec2 coordinates) {
     const std::uint32_t flags = CUTOUT_PRESENT | (sheet.nearest ? CUTOUT_NEAREST : 0u) |
-                                static_cast<std::uint32_t>(sheet.wrapU) << CUTOUT_WRAP_U_SHIFT |
-                                static_cast<std::uint32_t>(sheet.wrapV) << CUTOUT_WRAP_V_SHIFT;
+                                static_cast<std::uint32_t>(sheet.wrapU) << TEXTURE_WRAP_U_SHIFT |
+                                static_cast<std::uint32_t>(sheet.wrapV) << TEXTURE_WRAP_V_SHIFT;
     const shared::CutoutTexels t = shared::cutoutTexels(coordinates, {sheet.width, sheet.height}, flags);
     const auto at = [&](int x, int y) {
         EXPECT_TRUE(x >= 0 && x < sheet.width && y >= 0 && y < sheet.height) << x << ", " << y;
@@ -46,7 +46,7 @@ Image imageOf(int width, int height, const std::vector<int>& alphas) {
 }
 
 /// One triangle whose texture coordinates are (0, 0), (1, 0) and (0, 1) times `scale`.
-std::unique_ptr<Scene> triangleScene(const Cutout& cutout, Image image, float scale) {
+std::unique_ptr<Scene> triangleScene(const TextureUse& use, const Cutout& cutout, Image image, float scale) {
     Shape shape;
     shape.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
     shape.normals.assign(3, glm::vec3(0, 1, 0));
@@ -55,6 +55,7 @@ std::unique_ptr<Scene> triangleScene(const Cutout& cutout, Image image, float sc
     SceneParts parts;
     parts.name = "triangle";
     parts.materials = {matt("leaf", glm::vec3(1.0f))};
+    parts.materials[0].baseColor = use;
     parts.materials[0].cutout = cutout;
     parts.images.push_back(std::move(image));
     parts.instances.emplace_back().shape = std::make_shared<const Shape>(shape);
@@ -68,9 +69,10 @@ std::unique_ptr<Scene> triangleScene(const Cutout& cutout, Image image, float sc
 TEST(CutoutAlpha, IsWhatIsKnownByHand) {
     const std::vector<Image> images{imageOf(2, 2, {0, 100, 200, 40})};
     Material material;
-    material.cutout = Cutout{.threshold = 50.0f, .image = 0};
+    material.baseColor.image = 0;
+    material.cutout = Cutout{.threshold = 50.0f};
     const auto alpha = [&](Wrap wrap, bool nearest, float s, float t) {
-        material.cutout->wrapU = material.cutout->wrapV = wrap;
+        material.baseColor.wrapU = material.baseColor.wrapV = wrap;
         material.cutout->nearest = nearest;
         const auto cutouts = Cutouts::of({material}, images);
         return sharedAlpha(cutouts->sheet(0), cutouts->alphas(), {s, t});
@@ -105,13 +107,11 @@ TEST(CutoutAlpha, OfTheShadersIsThatOfTheOracle) {
         const int width = 1 + number(17), height = 1 + number(9);
         std::vector<int> alphas;
         for (int i = 0; i < width * height; ++i) alphas.push_back(number(4) == 0 ? 255 * number(2) : number(256));
-        const Cutout cutout{.threshold = cutoutThreshold((1 + number(250)) / 255.0, 1.0),
-                            .image = 0,
-                            .wrapU = static_cast<Wrap>(number(3)),
-                            .wrapV = static_cast<Wrap>(number(3)),
-                            .nearest = number(3) == 0};
+        Cutout cutout{.threshold = cutoutThreshold((1 + number(250)) / 255.0, 1.0)};
+        const TextureUse use{.image = 0, .wrapU = static_cast<Wrap>(number(3)), .wrapV = static_cast<Wrap>(number(3))};
+        cutout.nearest = number(3) == 0;
         const float scale = static_cast<float>(number(7) - 3) + 0.3f;
-        const std::unique_ptr<Scene> scene = triangleScene(cutout, imageOf(width, height, alphas), scale);
+        const std::unique_ptr<Scene> scene = triangleScene(use, cutout, imageOf(width, height, alphas), scale);
         FrameRequest request;
         request.width = request.height = 8;
         const FramePlan plan = FramePlanner(*scene).plan(request);
@@ -188,22 +188,22 @@ Json masked(Json more = Json::object()) {
 
 TEST(CutoutsOfFiles, AreReadAsTheyAre) {
     const Image image = imageOf(2, 1, {0, 255});
-    const auto cutout = [&](const Json& more, const Json& sampler) {
-        return fileWith(masked(more), image, sampler)->materials().front().cutout;
+    const auto material = [&](const Json& more, const Json& sampler) {
+        return fileWith(masked(more), image, sampler)->materials().front();
     };
-    const std::optional<Cutout> plain = cutout(Json::object(), Json::object());
-    ASSERT_TRUE(plain);
-    EXPECT_EQ(plain->threshold, 127.5f) << "0.5 where the file says nothing";
-    EXPECT_EQ(plain->image, 0);
-    EXPECT_EQ(plain->wrapU, Wrap::Repeat);
-    EXPECT_FALSE(plain->nearest);
-    const std::optional<Cutout> other =
-        cutout({{"alphaCutoff", 0.25}}, {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
-    ASSERT_TRUE(other);
-    EXPECT_EQ(other->threshold, 63.75f);
-    EXPECT_EQ(other->wrapU, Wrap::Clamp);
-    EXPECT_EQ(other->wrapV, Wrap::Mirror);
-    EXPECT_TRUE(other->nearest);
+    const auto cutout = [&](const Json& more, const Json& sampler) { return material(more, sampler).cutout; };
+    const Material plain = material(Json::object(), Json::object());
+    ASSERT_TRUE(plain.cutout);
+    EXPECT_EQ(plain.cutout->threshold, 127.5f) << "0.5 where the file says nothing";
+    EXPECT_EQ(plain.baseColor.image, 0);
+    EXPECT_EQ(plain.baseColor.wrapU, Wrap::Repeat);
+    EXPECT_FALSE(plain.cutout->nearest);
+    const Material other = material({{"alphaCutoff", 0.25}}, {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
+    ASSERT_TRUE(other.cutout);
+    EXPECT_EQ(other.cutout->threshold, 63.75f);
+    EXPECT_EQ(other.baseColor.wrapU, Wrap::Clamp);
+    EXPECT_EQ(other.baseColor.wrapV, Wrap::Mirror);
+    EXPECT_TRUE(other.cutout->nearest);
     const std::optional<Cutout> faint =
         cutout({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"baseColorFactor", {1, 1, 1, 0.5}}}}},
                Json::object());
@@ -231,16 +231,15 @@ TEST(CutoutsOfFiles, WhatBlendsIsOpaqueAndSaysSo) {
 
 TEST(CutoutsOfFiles, WithoutAnImageAllOrNothing) {
     const Image image = imageOf(1, 1, {255});
-    const auto cutout = [&](double alpha) {
+    const auto material = [&](double alpha) {
         return fileWith({{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, alpha}}}}},
                         image, Json::object())
             ->materials()
-            .front()
-            .cutout;
+            .front();
     };
-    EXPECT_FALSE(cutout(0.6));
-    ASSERT_TRUE(cutout(0.4));
-    EXPECT_EQ(cutout(0.4)->image, -1);
+    EXPECT_FALSE(material(0.6).cutout);
+    ASSERT_TRUE(material(0.4).cutout);
+    EXPECT_EQ(material(0.4).baseColor.image, -1);
 }
 
 /// A box is closed, one that is cut out is not.

@@ -222,6 +222,13 @@ class Magnifier(WindowTest):
         window.wait_state(probe=[False, False])
         self.close(window)
 
+    def test_what_alpha_cuts_out_has_values_but_no_segments(self):
+        window = self.open("foliage", "--technique", "static", *QUICK, "--spp", "4", "--size", "700x450")
+        rows = self.magnified(window, 0.5, 0.6)
+        self.assertEqual({len(values) for values in rows.values()}, {4})
+        self.assertNotIn("seen.segments", window.dump()["widgets"])
+        self.close(window)
+
     def test_values_between_lit_and_shadowed(self):
         """Blurred over the map, and averaged over the whole shutter."""
         window = self.open("pillars", "--technique", "static", "--set", "static.pcf_radius=2", *QUICK, "--spp", "8",

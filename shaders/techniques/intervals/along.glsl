@@ -35,11 +35,11 @@ float comparedAt(ComparedPart p, float tick) {
     return mix(p.depthBegin, p.depthEnd, clamp((tick - p.begin) / max(p.end - p.begin, 1.0), 0.0, 1.0));
 }
 
-// The union with the times between two ticks at which what is linear from `first` to `last` is negative.
-TimeUnion withNegative(TimeUnion dark, float from, float to, float first, float last) {
-    if (first >= 0.0 && last >= 0.0) return dark;
+// The times between two ticks at which what is linear from `first` to `last` is negative; none where it ends first.
+vec2 negativeSpan(float from, float to, float first, float last) {
+    if (first >= 0.0 && last >= 0.0) return vec2(from, from);
     float crossing = floor(mix(from, to, clamp(first / (first - last), 0.0, 1.0)) + 0.5);
-    return withInterval(dark, first < 0.0 ? from : crossing, last < 0.0 ? to : crossing);
+    return vec2(first < 0.0 ? from : crossing, last < 0.0 ? to : crossing);
 }
 
 #if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
@@ -48,19 +48,15 @@ float tickAt(ReceiverSegment s, float u) {
 }
 
 #ifdef CUTOUTS
-// Of what is nearer, what a triangle that is cut out by its alpha covers: looked at in the middle of equal parts.
-TimeUnion withCovered(TimeUnion dark, TimeUnion nearer, ReceiverSegment s, uint id) {
+// The union with what a triangle that is cut out by its alpha covers of a span: looked at in the middle of equal parts.
+TimeUnion withCovered(TimeUnion dark, ReceiverSegment s, uint id, vec2 span) {
     const float looks = 16.0;
-    for (int i = 0; i < 4; ++i) {
-        float begin = nearer.begin0[i], length = (nearer.end0[i] - begin) / looks;
-        ONLY_IF(length > 0.0) {
-            for (float k = 0.0; k < looks; k += 1.0) {
-                float tick = begin + (k + 0.5) * length;
-                bool covers = cutoutCoversLight(id, onMap(mapBlossom(s, tick, tick)), timeOf(s, tick));
-                float from = floor(begin + k * length + 0.5), to = floor(begin + (k + 1.0) * length + 0.5);
-                ONLY_IF(covers) dark = withInterval(dark, from, to);
-            }
-        }
+    float length = (span.y - span.x) / looks;
+    for (float k = 0.0; k < looks && length > 0.0; k += 1.0) {
+        float tick = span.x + (k + 0.5) * length;
+        bool covers = cutoutCoversLight(id, onMap(mapBlossom(s, tick, tick)), timeOf(s, tick));
+        float from = floor(span.x + k * length + 0.5), to = floor(span.x + (k + 1.0) * length + 0.5);
+        ONLY_IF(covers) dark = withInterval(dark, from, to);
     }
     return dark;
 }
@@ -78,19 +74,15 @@ TimeUnion withList(TimeUnion dark, ReceiverSegment s, ComparedPart p, ivec2 texe
         ONLY_IF(times.y >= first && id != s.triangle) {
             vec2 depths = texelFetch(intervalDepths, i).xy;
             float from = max(tickAt(s, times.x), wanted.x), to = min(tickAt(s, times.y), wanted.y);
-            float slope = (depths.y - depths.x) / max(times.y - times.x, 1e-30);
-            float depthFrom = depths.x + slope * clamp(timeOf(s, from) - times.x, 0.0, times.y - times.x);
-            float depthTo = depths.x + slope * clamp(timeOf(s, to) - times.x, 0.0, times.y - times.x);
-            float before = depthFrom - comparedAt(p, from), after = depthTo - comparedAt(p, to);
+            MapInterval caster = MapInterval(times.x, times.y, depths.x, depths.y, id);
+            vec2 nearer = negativeSpan(from, to, depthAt(caster, timeOf(s, from)) - comparedAt(p, from),
+                                       depthAt(caster, timeOf(s, to)) - comparedAt(p, to));
 #ifdef CUTOUTS
             bool cut = id != NO_INTERVAL_ID && isCutOut(id);
-            ONLY_IF(cut) {
-                dark = withCovered(dark, withNegative(emptyTimeUnion(), from, to, before, after), s, id);
-            }
-            if (!cut) dark = withNegative(dark, from, to, before, after);
-#else
-            dark = withNegative(dark, from, to, before, after);
+            ONLY_IF(cut) dark = withCovered(dark, s, id, nearer);
+            if (cut) nearer.y = nearer.x;
 #endif
+            dark = withInterval(dark, nearer.x, nearer.y);
             isSettled = dark.full != 0u || dark.covered >= wanted.y - wanted.x;
         }
     }
@@ -115,8 +107,9 @@ TimeUnion darkIn(ReceiverSegment s, ComparedPart p, ivec2 texel, vec2 wanted) {
     ONLY_IF(insideMap(texel)) {
 #ifdef STATIC_TRIANGLES
         float still = mapDistance(texelFetch(staticMap, ivec3(texel, 0), 0).x);
-        dark = withNegative(dark, wanted.x, wanted.y, still - comparedAt(p, wanted.x),
-                            still - comparedAt(p, wanted.y));
+        vec2 behind =
+            negativeSpan(wanted.x, wanted.y, still - comparedAt(p, wanted.x), still - comparedAt(p, wanted.y));
+        dark = withInterval(dark, behind.x, behind.y);
 #endif
 #if defined(DYNAMIC_TRIANGLES) && !defined(STATIC_CASTERS_ONLY)
         dark = withList(dark, s, p, texel, wanted);
@@ -158,7 +151,9 @@ float meanWeight(vec3 weights, vec3 lit, float begin, float end) {
 // Of a part of the way that stays between the same texels.
 vec3 litInCell(ReceiverSegment s, PathInView path, ivec2 cell, float begin, float end) {
     PlaneInView open = planeAt(s, path, begin), close = planeAt(s, path, end);
+#ifdef BILINEAR
     PlaneInView middle = planeAt(s, path, 0.5 * (begin + end));
+#endif
     vec3 lit = vec3(0.0);
     for (int i = 0; i < taps; ++i) {
         ivec2 texel = tapOf(cell, i);
