@@ -36,9 +36,12 @@ double samplingTolerance(const ClosedFormCase& c, const TechniqueStatement& stat
     return 4.0 * std::sqrt(variance / (strata * strata * valuesPerStratum));
 }
 
-int picturesFor(const ClosedFormCase& c, const TechniqueStatement& stated, double valuesPerPicture) {
+/// As many as bring the noise of one picture down to 0.05; a few more where a picture holds few values.
+int picturesFor(const ClosedFormCase& c, const TechniqueStatement& stated, double noiseOfOne, double valuesPerStratum) {
     if (isDeterministic(c, stated)) return 1;
-    return std::clamp(static_cast<int>(std::ceil(100.0 / valuesPerPicture)), 1, 64);
+    const int forNoise = static_cast<int>(std::ceil(400.0 * noiseOfOne * noiseOfOne));
+    const int forValues = static_cast<int>(std::ceil(100.0 / valuesPerStratum));
+    return std::clamp(forNoise, std::min(forValues, 8), 64);
 }
 
 }  // namespace
@@ -99,8 +102,9 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
         result.reason = *why;
         return result;
     }
+    const Expectation e = expectationOf(c, stated, sampleCount.samplesPerPixel, sampleCount.mapSize);
     const double perStratum = independentAnswers(c, stated.traits, sampleCount.mapSize);
-    const int pictures = picturesFor(c, stated, perStratum);
+    const int pictures = picturesFor(c, stated, samplingTolerance(c, stated, e, perStratum), perStratum);
     try {
         result.value = measureLitShare(renderer, technique, c, sampleCount, pictures);
     } catch (const LimitError& error) {
@@ -108,7 +112,6 @@ CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFo
         return result;
     }
 
-    const Expectation e = expectationOf(c, stated, sampleCount.samplesPerPixel, sampleCount.mapSize);
     const double noise = samplingTolerance(c, stated, e, perStratum * pictures);
     // Positions that are rounded once, and the patch's own width: its sides are reached by the shadow's ends a little
     // apart.

@@ -47,7 +47,7 @@ double measureLitShare(FrameRenderer& renderer, Technique& technique, const Clos
                        const CaseSampling& sampleCount, int pictures);
 
 /// Draws the case with the technique as it is set and judges it. As many pictures are drawn as leave no more noise than
-/// some hundredths.
+/// 0.05 (four standard errors).
 CaseResult runCase(FrameRenderer& renderer, Technique& technique, const ClosedFormCase& c,
                    const CaseSampling& sampleCount);
 

@@ -13,17 +13,19 @@ SMALL = ("--spp", "8", "--size", "200x150", "--map", "256", "--set", "accumulati
 class Pictures(ProgramTest):
     def test_every_scene_technique_and_context(self):
         pictures = {}
-        for scene in SCENES:
-            for technique in TECHNIQUES:
+        for number, technique in enumerate(TECHNIQUES):
+            for scene in SCENES:
                 with self.subTest(scene=scene, technique=technique):
                     command = ("--technique", technique, "--context", "egl", *SMALL)
                     first = self.shot(scene, "first.png", *command)
-                    self.assertEqual(first, self.shot(scene, "again.png", *command),
-                                     "the same command gave two pictures")
                     picture = pictures[scene, technique] = Picture(first)
                     self.assertEqual((picture.width, picture.height), (200, 150))
                     self.assertGreater(picture.mean(), 16.0, "as good as black")
                     self.assertLess(picture.mean(), 240.0, "as good as white")
+                    if scene != SCENES[number % len(SCENES)]:
+                        continue  # one scene a technique is drawn more than once
+                    self.assertEqual(first, self.shot(scene, "again.png", *command),
+                                     "the same command gave two pictures")
                     for context in CONTEXTS[1:]:
                         other = Picture(self.shot(scene, "other.png", "--technique", technique, *SMALL,
                                                   "--context", context))

@@ -143,7 +143,8 @@ class Videos(RecordTest):
                          ([160, 90], len(script["parts"]), len(script["parts"])))
         shown = {name.split(":")[0] for part in report["parts"]
                  for name in part.get("compare", [part.get("technique")])}
-        self.assertLessEqual({"static", "tsm", "interleaved", "temporal", "ranges", "history", "exact", "accumulation"},
+        self.assertLessEqual({"static", "tsm", "interleaved", "temporal", "ranges", "history", "exact", "accumulation",
+                              "integral"},
                              shown)
         self.assertAlmostEqual(sum(part["frames"] for part in script["parts"]) / script["options"]["fps"], 60, delta=3)
         for part in script["parts"]:

@@ -159,6 +159,13 @@ class Lists(ProgramTest):
         self.assertNotEqual(still, path)
         self.assertEqual(self.shot("frusta", "later.png", *QUICK, "--camera", "path", "--frame", 300), path)
 
+    def test_analytic_cases(self):
+        text = self.succeed("cases", "--technique", "static", "--map", "128", "--json", "F.json", "-o", "F.png")
+        self.assertRegex(text, r"\d+ right, \d+ off as predicted, 0 wrong")
+        cells = json.loads((self.folder / "F.json").read_text(encoding="utf-8"))
+        self.assertGreater(len(cells), 30)
+        Picture((self.folder / "F.png").read_bytes())
+
     def test_devices(self):
         text = self.succeed("list", "--devices")
         devices = json.loads(self.succeed("list", "--devices", "--json"))

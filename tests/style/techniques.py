@@ -43,7 +43,7 @@ ABOUT = {
     "tests/technique/reload_test.cpp": ("exact",),  # changes its shader
     "tests/technique/interval_samples_test.cpp": ("exact", "integral", "static"),  # solved and asked at instants
     "tests/technique/acne_test.cpp": ("interleaved", "ranges", "temporal", "tsm"),
-    "tests/technique/closed_form_test.cpp": ("accumulation", "history", "interleaved", "tsm"),
+    "tests/technique/closed_form_test.cpp": ("accumulation", "history", "interleaved", "layers", "tsm"),
     "tests/technique/history_converged_test.cpp": ("static",),
     "tests/technique/history_moving_test.cpp": ("static",),
     "tests/technique/metamorphic_test.cpp": ("accumulation", "history", "layers"),
@@ -69,8 +69,8 @@ ABOUT = {
     "tests/cli/outputs_test.py": ("accumulation",),
     "tests/cli/pictures_test.py": ("accumulation", "exact", "history", "static", "tsm"),
     "tests/cli/program.py": ("accumulation", "history"),
-    "tests/cli/record_test.py": ("accumulation", "exact", "history", "interleaved", "ranges", "static", "temporal",
-                                 "tsm"),  # the tour
+    "tests/cli/record_test.py": ("accumulation", "exact", "history", "integral", "interleaved", "ranges", "static",
+                                 "temporal", "tsm"),  # the tour
     "tests/cli/refusals_test.py": ("accumulation", "exact", "static", "tsm"),
     "tests/cli/reports_test.py": ("accumulation", "exact", "history", "static", "tsm"),
     "tests/soak/soak.cpp": ("accumulation", "static"),

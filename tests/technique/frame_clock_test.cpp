@@ -6,6 +6,7 @@
 #include "measure/frame_clock.h"
 #include "scene_catalogue.h"
 #include "support/gl_environment.h"
+#include "support/no_drawing.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -96,6 +97,7 @@ TEST(FrameClock, TimesAgainWhatWasCompiledInATimedFrame) {
 
 /// As a sweep would go through them, round after round.
 TEST(FrameClock, ProgramsOfAllTechniquesInAllScenesAreCompiledOnce) {
+    const NoDrawing linkingIsEnough;
     FrameRenderer renderer;
     const auto drawAll = [&] {
         for (const BuiltInScene& builtIn : builtInScenes()) {
