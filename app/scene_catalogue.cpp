@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <timeshade/paths.h>
 
 #include "cases/closed_form_cases.h"
+#include "core/data_folder.h"
 #include "core/error.h"
 #include "loading_line.h"
 #include "scene/gltf_scene.h"
@@ -17,7 +17,7 @@ namespace timeshade {
 namespace {
 std::filesystem::path sceneDirectory() {
     if (const char* folder = std::getenv("TIMESHADE_SCENES")) return folder;
-    return std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "assets" / "scenes";
+    return dataFolder() / "assets" / "scenes";
 }
 }  // namespace
 

@@ -1,7 +1,8 @@
 # Our own targets are compiled with these; third-party headers come in as SYSTEM.
 add_library(timeshade_options INTERFACE)
 target_compile_options(timeshade_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wdouble-promotion -Werror
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wdouble-promotion
+  $<$<BOOL:${TIMESHADE_WARNINGS_ARE_ERRORS}>:-Werror>
   # GCC 12 sees overlaps in std::string where there are none (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # The shared numerics must give the same bits in C++ as in GLSL: no contraction of a*b+c into one rounding.

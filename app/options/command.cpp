@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <timeshade/commit.h>  // generated
 #include <CLI/CLI.hpp>
 
 #include "core/error.h"
@@ -68,7 +69,7 @@ void keepCommandLine(Command& command, const std::string& typed) {
 Command parseArguments(const std::vector<std::string>& given) {
     Command command;
     CLI::App app("A real-time laboratory for motion-blurred shadows", "timeshade");
-    app.set_version_flag("--version", "timeshade " TIMESHADE_VERSION);
+    app.set_version_flag("--version", "timeshade " TIMESHADE_VERSION " (commit " TIMESHADE_COMMIT ")");
     app.require_subcommand(1);
     app.option_defaults()->delimiter('\0');
     addViewCommand(app, command);

@@ -1,7 +1,6 @@
 #include "options/record_options.h"
 
-#include <timeshade/paths.h>
-
+#include "core/data_folder.h"
 #include "core/error.h"
 #include "options/command_parts.h"
 #include "record/video_container.h"
@@ -40,7 +39,7 @@ void addRecordCommand(CLI::App& app, Command& command) {
             ->excludes(scene);
     record
         ->add_flag_callback(
-            "--demo", [&options] { options.script = TIMESHADE_SOURCE_DIRECTORY "/assets/demo.json"; },
+            "--demo", [&options] { options.script = (dataFolder() / "assets" / "demo.json").string(); },
             "the tour of scenes and techniques: assets/demo.json")
         ->excludes(script)
         ->excludes(scene);

@@ -13,6 +13,15 @@ namespace timeshade {
 
 namespace {
 
+/// As this version of ImGui numbers them: before 1.87, as GLFW does.
+namespace keys {
+#if IMGUI_VERSION_NUM >= 18700
+constexpr ImGuiKey magnify = ImGuiKey_M, flip = ImGuiKey_F;
+#else
+constexpr int magnify = GLFW_KEY_M, flip = GLFW_KEY_F;
+#endif
+}  // namespace keys
+
 constexpr double radiansPerHeight = 3.0;  // of a drag over the whole height of the picture
 constexpr float seamReach = 8.0f;         // units of the window within which the seam is grasped
 constexpr double zoomPerNotch = 0.88;
@@ -98,10 +107,10 @@ void pickPixel(Session& session, const Area& picture) {
 
 void PictureMouse::apply(Session& session, const Area& picture) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (!io.WantTextInput && ImGui::IsKeyPressed(GLFW_KEY_M, false)) pickPixel(session, picture);
+    if (!io.WantTextInput && ImGui::IsKeyPressed(keys::magnify, false)) pickPixel(session, picture);
     const bool down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     Comparison& comparison = session.comparison;
-    comparison.flipped = comparison.on() && !io.WantTextInput && ImGui::IsKeyDown(GLFW_KEY_F);
+    comparison.flipped = comparison.on() && !io.WantTextInput && ImGui::IsKeyDown(keys::flip);
     const bool pressed = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
     const bool wiping =
         comparison.on() && comparison.mode == CompareMode::Wipe && !comparison.flip && picture.size.x > 0.0f;

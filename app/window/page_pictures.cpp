@@ -1,8 +1,6 @@
 #include "window/page_pictures.h"
 
-#include <timeshade/paths.h>
-#include <filesystem>
-
+#include "core/data_folder.h"
 #include "image/image_file.h"
 #include "window/display_texture.h"
 
@@ -13,8 +11,7 @@ const gl::Texture* PagePictures::of(const std::string& technique) {
     std::optional<gl::Texture>& picture = entry->second;
     if (isNew) {
         try {
-            upload(picture, readPng(std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "renderer" / "techniques" /
-                                    technique / "page.png"));
+            upload(picture, readPng(dataFolder() / "renderer" / "techniques" / technique / "page.png"));
             picture->setFilters(GL_LINEAR, GL_LINEAR);
         } catch (const std::exception&) {
             picture.reset();  // the page says the same in words

@@ -13,6 +13,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "core/font_file.h"
 #include "panels/theme.h"
 
 namespace timeshade {
@@ -20,7 +21,6 @@ namespace timeshade {
 namespace {
 
 constexpr float fontHeight = 15.0f;  // pixels on a display of ordinary density
-constexpr const char* textFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 /// What the display asks for, or TIMESHADE_UI_SCALE where that is set.
 float displayScale(GLFWwindow* window) {
@@ -73,10 +73,11 @@ void UiWindow::rebuildFonts() {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     std::error_code ignored;
+    const std::string textFont = fontFile("DejaVuSans.ttf").string();
     const bool text = std::filesystem::exists(textFont, ignored) &&
-                      atlas.AddFontFromFileTTF(textFont, fontPixels_, nullptr, ranges.data()) != nullptr;
+                      atlas.AddFontFromFileTTF(textFont.c_str(), fontPixels_, nullptr, ranges.data()) != nullptr;
     if (text) {
-        atlas.AddFontFromFileTTF(textFont, std::round(1.4f * fontPixels_));  // the last one is the title's
+        atlas.AddFontFromFileTTF(textFont.c_str(), std::round(1.4f * fontPixels_));  // the last one is the title's
     } else {
         ImFontConfig config;
         config.SizePixels = std::round(fontPixels_ * 13.0f / fontHeight);
@@ -84,6 +85,14 @@ void UiWindow::rebuildFonts() {
     }
     ImGui_ImplOpenGL3_DestroyFontsTexture();
 }
+
+#if IMGUI_VERSION_NUM >= 18700
+
+// ImGui has queues of its own: a key or a button that is pressed and let go in one slow frame stays so for a frame.
+void UiWindow::holdShortPresses() {}
+void UiWindow::replayMouse() { events_.mouse().next(); }
+
+#else
 
 /// ImGui looks at the keys once a frame, and would miss one that is pressed and let go while a slow frame is drawn.
 void UiWindow::holdShortPresses() {
@@ -104,6 +113,8 @@ void UiWindow::replayMouse() {
     if (ImGui::IsMousePosValid(&io.MousePos)) io.MousePos = {static_cast<float>(mouse.x), static_cast<float>(mouse.y)};
     std::copy(mouse.down.begin(), mouse.down.end(), io.MouseDown);
 }
+
+#endif
 
 void UiWindow::beginFrame(double textScale) {
     const float wanted = displayScale(window_) * static_cast<float>(textScale);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/font_file.h"
+
 namespace timeshade {
 
 /// How much of each pixel a shape covers, 0 to 255.
@@ -45,10 +47,10 @@ class ChartFont {
     std::unique_ptr<Data> data_;
 };
 
-/// DejaVu Sans, from the package fonts-dejavu-core.
+/// DejaVu Sans (core/font_file.h).
 struct ChartFonts {
-    ChartFont regular{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
-    ChartFont bold{"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"};
+    ChartFont regular{fontFile("DejaVuSans.ttf")};
+    ChartFont bold{fontFile("DejaVuSans-Bold.ttf")};
 
     const ChartFont& of(bool isBold) const { return isBold ? bold : regular; }
 };

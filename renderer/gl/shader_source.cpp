@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <timeshade/paths.h>
 
+#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/file_bytes.h"
 
@@ -73,7 +73,7 @@ class Expander {
 
 std::filesystem::path shaderDirectory() {
     if (const char* folder = std::getenv("TIMESHADE_SHADERS")) return folder;
-    return std::filesystem::path(TIMESHADE_SOURCE_DIRECTORY) / "shaders";
+    return dataFolder() / "shaders";
 }
 
 ShaderSource readShader(std::string_view path, const ShaderDefines& defines) {

@@ -22,7 +22,7 @@ struct ShaderSource {
 /// Throws Error that names the file which is missing, or too much (256 files, 4 MiB), and who includes it.
 ShaderSource readShader(std::string_view path, const ShaderDefines& defines);
 
-/// Where the shaders lie: the folder of the sources, or TIMESHADE_SHADERS where that is set.
+/// Where the shaders lie: TIMESHADE_SHADERS where that is set, else dataFolder()/shaders.
 std::filesystem::path shaderDirectory();
 
 }  // namespace timeshade::gl

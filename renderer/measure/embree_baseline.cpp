@@ -4,9 +4,8 @@
 #include <atomic>
 #include <thread>
 
-#include <embree3/rtcore.h>
-
 #include "core/error.h"
+#include "oracle/embree_api.h"
 #include "shared/sample_pattern.shared.h"
 
 namespace timeshade {
@@ -129,10 +128,8 @@ struct EmbreeBaseline::Implementation {
         alignas(32) RTCRayHit8 packet;
         alignas(32) int valid[packetSize];
         makePacket(x, y, stratum, packet, valid);
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        rtcIntersect8(valid, scene, &context, &packet);
+        embree::Context context;
+        embree::firstHits(valid, scene, packet, context);
         const std::size_t first = indexOf(x, y, stratum);
         for (int lane = 0; lane < packetSize && valid[lane] != 0; ++lane) {
             const std::size_t i = first + static_cast<std::size_t>(lane);
@@ -171,10 +168,7 @@ struct EmbreeBaseline::Implementation {
             packet.mask[lane] = ~0u;
             packet.flags[lane] = 0;
         }
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        rtcOccluded8(valid, scene, &context, &packet);
+        embree::anyHits(valid, scene, packet);
         std::size_t dark = 0;
         for (int lane = 0; lane < packetSize; ++lane) dark += valid[lane] != 0 && packet.tfar[lane] < 0.0f ? 1u : 0u;
         return dark;

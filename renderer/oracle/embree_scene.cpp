@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "oracle/embree_api.h"
 
 namespace timeshade::oracle {
 
@@ -15,7 +15,7 @@ constexpr double cutoutSlack = 1e-4;  // of barycentrics: far more than Embree's
 
 /// The context that Embree hands back to the filter, with what the filter needs to know.
 struct FilterContext {
-    RTCIntersectContext embree;  // first: Embree knows only this part
+    embree::Context ofEmbree;  // first: Embree knows only this part
     const std::vector<glm::vec4>* positionTexels;
     const CutoutCover* cutouts;
     bool keepsDoubtful;
@@ -89,10 +89,7 @@ PacketHits trace(RTCScene scene, const RayPacket& packet, FilterContext& context
     alignas(32) RTCRayHit8 rays;
     alignas(32) int valid[RayPacket::size];
     fill(rays, valid, packet);
-    rtcInitIntersectContext(&context.embree);
-    context.embree.filter = filter;
-    context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect8(valid, scene, &context.embree, &rays);
+    embree::firstHits(valid, scene, rays, context.ofEmbree, filter);
     PacketHits hits;
     for (int lane = 0; lane < RayPacket::size; ++lane) {
         hits.hit[lane] = packet.active[lane] && rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
@@ -135,8 +132,7 @@ EmbreeScene::EmbreeScene(const FramePlan& plan) : texels_(plan.texels), cutouts_
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
     // Watertight edges: a ray between two neighbours meets one of them.
-    rtcSetSceneFlags(scene_.get(),
-                     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(scene_.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | embree::filterFlag));
     RTCGeometry geometry = makeGeometry(device_.get(), plan);
     rtcAttachGeometry(scene_.get(), geometry);
     rtcReleaseGeometry(geometry);

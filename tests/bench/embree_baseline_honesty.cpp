@@ -9,11 +9,11 @@
 #include <thread>
 #include <vector>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include "frame_setup.h"
 #include "measure/embree_baseline.h"
+#include "oracle/embree_api.h"
 #include "scene_catalogue.h"
 #include "shared/sample_pattern.shared.h"
 
@@ -140,9 +140,6 @@ int main() {
     baseline.build();
     RTCDevice device = rtcNewDevice(nullptr);
     RTCScene bareScene = buildScene(device, plan);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 
     const std::vector<Packet> fresh = primaryPackets(plan);
     std::vector<double> bareFirst, baselineFirst, bareShadow, baselineShadow;
@@ -154,15 +151,15 @@ int main() {
         std::vector<Packet> packets = fresh;
         const double a = millisecondsOf([&] {
             onAllThreads(packets.size(), [&](std::size_t p) {
-                rtcIntersect8(packets[p].valid, bareScene, &context, &packets[p].rays);
+                embree::Context context;
+                embree::firstHits(packets[p].valid, bareScene, packets[p].rays, context);
             });
         });
         const double b = millisecondsOf([&] { baseline.tracePrimaries(); });
         std::vector<Packet> shadows = shadowPackets(plan, packets);
         const double c = millisecondsOf([&] {
-            onAllThreads(shadows.size(), [&](std::size_t p) {
-                rtcOccluded8(shadows[p].valid, bareScene, &context, &shadows[p].rays.ray);
-            });
+            onAllThreads(shadows.size(),
+                         [&](std::size_t p) { embree::anyHits(shadows[p].valid, bareScene, shadows[p].rays.ray); });
         });
         const double d = millisecondsOf([&] { baseline.traceShadows(); });
         if (round < 0) continue;

@@ -33,7 +33,7 @@ QUICK = ("--size", "64x48", "--map", "64", "--spp", "2", "--set", "accumulation.
 def environment(**changes):
     """The caller's environment without a display; None removes a variable."""
     names = dict(os.environ)
-    for name in ("DISPLAY", "WAYLAND_DISPLAY", "TIMESHADE_SCENES", "TIMESHADE_SHADERS"):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "TIMESHADE_DATA", "TIMESHADE_SCENES", "TIMESHADE_SHADERS"):
         names.pop(name, None)
     for name, value in changes.items():
         if value is None:

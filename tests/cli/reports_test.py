@@ -177,7 +177,7 @@ class Lists(ProgramTest):
             self.assertIn("EGL device 0", self.manifest("--device", "0")["gl"]["back_end"])
 
     def test_help_and_version(self):
-        self.assertRegex(self.succeed("--version"), r"^timeshade \d+\.\d+\.\d+\n$")
+        self.assertRegex(self.succeed("--version"), r"^timeshade \d+\.\d+\.\d+ \(commit \w+\)\n$")
         text = self.succeed("--help")
         for word in ("view", "shot", "pictures", "list"):
             self.assertIn(word, text)
