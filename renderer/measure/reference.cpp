@@ -81,6 +81,9 @@ FramePlan batchPlan(const FramePlan& plan, int batch) {
     // What a pixel should show is the mean over its area, wherever the image under test has its samples.
     drawn.request.pixelCentres = false;
     drawn.block.pixelCentres = 0;
+    // Nothing that was drawn for the frame's own samples, or for another batch's, may stand in for these.
+    drawn.versions.samples = drawn.versions.lit = 0;
+    drawn.reached = {};
     shareSamples(drawn);
     return drawn;
 }
@@ -104,7 +107,7 @@ std::vector<double> pixelWeights(const shared::FrameBlock& block) {
 
 std::string referenceKey(const FramePlan& plan, const ReferenceOptions& options) {
     std::string key =
-        fmt::format("reference 3; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}",
+        fmt::format("reference 4; scene {}; frame {}; shaders {}; {} x {}; {} batches of {}; view {}",
                     sceneDigest(plan), viewDigest(plan), shaderDigest(), plan.request.width, plan.request.height,
                     batchesOf(options), maximumSamplesPerPixel, options.view == View::Final ? "final" : "visibility");
     for (const FramePlan& piece : plan.pieces)

@@ -81,6 +81,37 @@ TEST(Reference, ComesOutOfTheCacheAsItWentIn) {
     std::filesystem::remove_all(folder);
 }
 
+/// A still camera keeps the samples of what stands still from frame to frame; those of a reference are its own.
+TEST(Reference, UsesNoSamplesThatAFrameHasKept) {
+    ProceduralScene scene;
+    for (int x = -4; x < 4; ++x)
+        for (int y = -4; y < 4; ++y) {  // at two heights, so that a sample of one is nowhere near the other's
+            const glm::dvec3 centre(x + 0.5, y + 0.5, (x + y) % 2 == 0 ? 0.0 : 0.3);
+            scene.quads.push_back(slidingQuad(centre, centre, 0.5, -0.5, 0.5));
+        }
+    scene.quads.push_back(slidingQuad({-1, 0, 1}, {1, 0, 1}, 0.5, -0.5, 0.5));
+    scene.lightOpen.position = {0, 0, 10};
+    scene.lightClose = scene.lightOpen;
+    scene.cameraOpen = scene.cameraClose = lookAt({2, -9, 7}, {0, 0, 0}, {0, 0, 1}, 0.7, 0.01);
+    scene.finish();
+    const auto reference = [&](bool useCaches) {
+        FrameRenderer& renderer = sharedRenderer();
+        FramePlanner planner(scene);
+        FrameRequest request = ProceduralScene::request(32, 24, 4, 64, 5);
+        request.useCaches = useCaches;
+        const FramePlan plan = planner.plan(request);
+        EXPECT_EQ(plan.versions.samples != 0, useCaches);
+        const std::unique_ptr<Technique> technique =
+            makeTechnique(techniqueDescriptions().front().name, renderer.programs());
+        for (int again = 0; again < 3; ++again) renderer.draw(plan, *technique, View::Final);
+        ReferenceOptions options;
+        options.samplesPerPixel = 64;
+        ReferenceCache nothingKept{std::filesystem::path()};
+        return referenceImage(renderer, plan, options, nothingKept);
+    };
+    EXPECT_TRUE(reference(true).rgb == reference(false).rgb);
+}
+
 TEST(DisplayEncoding, IsWhatTheDisplayPassShows) {
     ReferenceTechnique truth;
     sharedRenderer().draw(planOf(*closedFormCase("light_slides").scene, 8), truth, View::Final);
