@@ -9,6 +9,7 @@
 #include "gl/shader_source.h"
 #include "measure/reference_digest.h"
 #include "measure/reference_technique.h"
+#include "plan/own_samples.h"
 #include "shared/sample_pattern.shared.h"
 #include "shared/shutter_response.shared.h"
 
@@ -81,9 +82,7 @@ FramePlan batchPlan(const FramePlan& plan, int batch) {
     // What a pixel should show is the mean over its area, wherever the image under test has its samples.
     drawn.request.pixelCentres = false;
     drawn.block.pixelCentres = 0;
-    // Nothing that was drawn for the frame's own samples, or for another batch's, may stand in for these.
-    drawn.versions.samples = drawn.versions.lit = 0;
-    drawn.reached = {};
+    keepNoSamples(drawn);
     shareSamples(drawn);
     return drawn;
 }

@@ -9,8 +9,8 @@
 namespace timeshade::embree {
 
 /// Embree 3 and 4 by the same names: packets of eight rays that lie near each other. `valid`: -1 for a ray that counts,
-/// 0 for others. The context may be the first member of a structure, which a filter gets back. A filter is asked about
-/// each hit, of scenes with `filterFlag`.
+/// 0 for others. A filter function is called for each hit, in scenes with `filterFlag`, and gets the context, which may
+/// be the first member of a structure with what it needs.
 #ifdef TIMESHADE_EMBREE_4
 
 using Context = RTCRayQueryContext;

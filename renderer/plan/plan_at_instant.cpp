@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "plan/frame_plan.h"
+#include "plan/own_samples.h"
 #include "shared/hash.shared.h"
 #include "shared/shutter_response.shared.h"
 
@@ -31,8 +32,7 @@ FramePlan planAtInstant(const FramePlan& plan, int m, int renders) {
     CHECK_LT(m, renders);
     FramePlan instant = pieceOf(plan, m, renders);
     const auto steps = static_cast<float>(std::max<std::size_t>(1, plan.pieces.size()));
-    // Its samples differ from the frame's, so nothing cached for those may be used.
-    instant.versions.samples = instant.versions.lit = 0;
+    keepNoSamples(instant);
     // In its piece: whole steps are a power of two, so that this is exact.
     const float u = instantOf(m, renders) * steps;
     instant.block.timeBase = plan.pieces.empty() ? u : u - std::min(std::floor(u), steps - 1.0f);

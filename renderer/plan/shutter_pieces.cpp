@@ -8,6 +8,7 @@
 
 #include "core/check.h"
 #include "plan/frame_plan.h"
+#include "plan/own_samples.h"
 #include "shared/shutter_response.shared.h"
 
 namespace timeshade {
@@ -102,8 +103,7 @@ void shareSamples(FramePlan& plan) {
         block.pixelCentres = whole.pixelCentres;
         piece.request.samplesPerPixel = static_cast<int>(block.strata);
         piece.request.pixelCentres = plan.request.pixelCentres;
-        piece.versions.samples = piece.versions.lit = 0;  // other samples than those of any frame of one piece
-        piece.reached = {};
+        keepNoSamples(piece);  // other samples than those of any frame of one piece
     }
 }
 
@@ -113,8 +113,7 @@ FramePlan planOfPieces(const FrameRequest& request, std::vector<FramePlan> piece
     const auto steps = static_cast<int>(whole.pieces.size());
     whole.request = request;
     whole.request.motionSteps = steps;
-    whole.versions.samples = whole.versions.lit = 0;
-    whole.reached = {};
+    keepNoSamples(whole);
     shareResponse(whole);
     shareSamples(whole);
     shareMotion(whole);

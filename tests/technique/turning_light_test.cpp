@@ -146,7 +146,7 @@ class LightTurns : public testing::TestWithParam<Setting> {
 
 TEST_P(LightTurns, IsTheMeanOfItsInstants) {
     const TurningLight turning = scene();
-    const Means truth = composed(turning, 256);
+    const Means truth = composed(turning, 1024);
     const TurningLight still(GetParam().kind, GetParam().about, 0.0, GetParam().castersMove, GetParam().speed);
     const double without = rmsOf(drawn(still, "exact", 2), truth);
     for (const TechniqueDescription& technique : techniqueDescriptions()) {
