@@ -52,7 +52,8 @@ constexpr std::array allowedKeys{"scene",         "size",
                                  "loop",          "shutter-response",
                                  "samples",       "time-strata",
                                  "shutter-width", "motion-steps",
-                                 "equal-time",    "equal-error"};
+                                 "equal-time",    "equal-error",
+                                 "times"};
 
 void requireAllowed(const std::string& key, const std::string& place) {
     if (std::find(allowedKeys.begin(), allowedKeys.end(), key) == allowedKeys.end())

@@ -8,6 +8,7 @@ set_target_properties(timeshade PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/timesha
 target_link_options(timeshade PRIVATE -Wl,--disable-new-dtags)
 
 install(TARGETS timeshade RUNTIME COMPONENT program)
+install(PROGRAMS scripts/gpu_check.sh DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME timeshade-gpu-check COMPONENT program)
 install(DIRECTORY shaders DESTINATION ${data} COMPONENT program)
 install(DIRECTORY assets/scenes DESTINATION ${data}/assets COMPONENT program)
 install(FILES assets/demo.json assets/SOURCES.md DESTINATION ${data}/assets COMPONENT program)

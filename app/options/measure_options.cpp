@@ -89,6 +89,9 @@ void declareOthers(CLI::App& measure, MeasureOptions& options) {
     measure.add_flag("--effects", options.effects,
                      "instead: what each thing that moves costs, and what the plan saves, for the first of "
                      "--techniques, with the others beside it (default: --technique alone)");
+    measure.add_flag("--times", options.times,
+                     "instead: what frames of --techniques take, on the device and on the processor, without any "
+                     "errors");
     measure
         .add_option("--equal-time", options.equalTime,
                     "A,B,... instead: with how many samples per pixel B, ... take as long as A does with --spp, and "
@@ -110,7 +113,8 @@ void checkEqual(const CLI::App& measure, MeasureOptions& options) {
         throw UsageError("--equal-time, --equal-error: both given, expected one of them");
     const std::string name = options.equalTime.empty() ? "--equal-error" : "--equal-time";
     const std::vector<std::string>& variants = options.equalTime.empty() ? options.equalError : options.equalTime;
-    for (const char* other : {"--vary", "--effects", "--convergence", "--history-frames", "--techniques", "--spps"})
+    for (const char* other :
+         {"--vary", "--effects", "--times", "--convergence", "--history-frames", "--techniques", "--spps"})
         if (measure.get_option(other)->count() > 0)
             throw UsageError(fmt::format("{}: {} given as well, expected one of them", name, other));
     if (variants.size() < 2)

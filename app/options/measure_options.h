@@ -29,6 +29,7 @@ struct MeasureOptions : FrameOptions, TechniqueOptions, CompareOptions, RunOptio
     std::vector<std::string> equalTime;     ///< TechniqueVariants, two or more, for equal time with the first instead
     std::vector<std::string> equalError;    ///< the same for equal error; at most one of the two is not empty
     bool effects = false;                   ///< what each thing that moves costs instead
+    bool times = false;                     ///< what frames take instead, without errors
     int sequenceFrames = 0;                 ///< timed as steady ones in a round; 0 for one alone
     int rounds = 3;                         ///< how often each point is timed, each with a seed of its own
     int referenceSamples = 256;             ///< samples per pixel of the reference

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/read_back.h"
 
 namespace timeshade {
 
@@ -41,8 +42,7 @@ void requireFinite(const gl::Texture& texture, const std::string& what, float lo
     for (int layer = 0; layer < texture.layers(); ++layer)
         for (int row = 0; row < texture.height(); row += rowsAtATime) {
             const int rows = std::min(rowsAtATime, texture.height() - row);
-            glGetTextureSubImage(texture.name(), 0, 0, row, layer, width, rows, 1, readback.format, GL_FLOAT,
-                                 static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+            gl::readTexels(texture, {0, row, layer, width, rows}, readback.format, GL_FLOAT, values);
             for (int i = 0; i < rows * perRow; ++i) {
                 const float value = values[static_cast<std::size_t>(i)];
                 if (value >= low && value <= high) continue;  // false for a NaN

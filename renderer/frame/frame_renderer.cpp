@@ -11,6 +11,7 @@
 #include "core/hash.h"
 #include "frame/buffer_check.h"
 #include "gl/errors.h"
+#include "gl/read_back.h"
 #include "shared/shutter_response.shared.h"
 #include "technique/technique_views.h"
 
@@ -41,8 +42,7 @@ void copyRowsUpsideDown(const std::vector<Source>& rgba, int width, int height, 
 
 template <typename T>
 std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type) {
-    std::vector<T> values(texture.bytes() / sizeof(T));
-    glGetTextureImage(texture.name(), 0, format, type, static_cast<GLsizei>(texture.bytes()), values.data());
+    std::vector<T> values = gl::readTexture<T>(texture, format, type);
     gl::requireNoErrors("reading back what was drawn");
     return values;
 }

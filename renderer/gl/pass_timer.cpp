@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gl/errors.h"
+#include "gl/waits.h"
 
 namespace timeshade::gl {
 
@@ -19,10 +20,10 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), ste
     step.name = std::move(name);
     if (timer.clock_ == Clock::Finish) {
         glFinish();
-        step.begin = std::chrono::steady_clock::now();
     } else {
         step.beginQuery = timer.timestamp();
     }
+    step.begin = std::chrono::steady_clock::now();
     injectErrorForTest(step.name);
     timer.current_.push_back(std::move(step));
 }
@@ -33,6 +34,7 @@ PassTimer::Scope::~Scope() {
         glFinish();
         step.end = std::chrono::steady_clock::now();
     } else {
+        step.end = std::chrono::steady_clock::now();
         step.endQuery = timer_.timestamp();
     }
 }
@@ -52,10 +54,9 @@ GLuint PassTimer::timestamp() {
 std::vector<PassTimer::Reading> PassTimer::read(const Frame& frame) {
     std::vector<Reading> readings;
     for (const Step& step : frame) {
-        double milliseconds = 0.0;
-        if (clock_ == Clock::Finish) {
-            milliseconds = std::chrono::duration<double, std::milli>(step.end - step.begin).count();
-        } else {
+        const double host = std::chrono::duration<double, std::milli>(step.end - step.begin).count();
+        double milliseconds = host;
+        if (clock_ == Clock::Timestamps) {
             GLuint64 begin = 0, end = 0;
             glGetQueryObjectui64v(step.beginQuery, GL_QUERY_RESULT, &begin);
             glGetQueryObjectui64v(step.endQuery, GL_QUERY_RESULT, &end);
@@ -64,9 +65,11 @@ std::vector<PassTimer::Reading> PassTimer::read(const Frame& frame) {
         const auto same =
             std::find_if(readings.begin(), readings.end(), [&](const Reading& r) { return r.name == step.name; });
         if (same == readings.end())
-            readings.push_back({step.name, milliseconds});
-        else
+            readings.push_back({step.name, milliseconds, host});
+        else {
             same->milliseconds += milliseconds;
+            same->hostMilliseconds += host;
+        }
     }
     return readings;
 }
@@ -98,6 +101,7 @@ std::optional<std::vector<PassTimer::Reading>> PassTimer::endFrame() {
 std::vector<PassTimer::Reading> PassTimer::finishFrame() {
     pending_.push_back(std::move(current_));
     current_.clear();
+    if (clock_ == Clock::Timestamps && !pending_.back().empty()) countWait();
     const std::vector<Reading> readings = read(pending_.back());
     for (const Frame& frame : pending_) recycle(frame);
     pending_.clear();

@@ -38,6 +38,8 @@ class PassTimer {
     struct Reading {
         std::string name;
         double milliseconds = 0.0;
+        double hostMilliseconds =
+            0.0;  ///< that the processor spent on telling the device; the same on a software renderer
         bool isPart() const { return name.find('/') != std::string::npos; }  ///< of another reading
     };
     /// Closes the frame and starts a new one. Returns the readings of the newest frame whose figures have arrived

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "gl/object.h"
+#include "gl/waits.h"
 
 namespace timeshade::gl {
 
@@ -20,6 +21,7 @@ class FragmentCount : public Object<DeleteQuery> {
     /// Of the last begin and end. Waits for the device.
     GLuint64 read() const {
         GLuint64 count = 0;
+        countWait();
         glGetQueryObjectui64v(name(), GL_QUERY_RESULT, &count);
         return count;
     }

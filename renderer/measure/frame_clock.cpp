@@ -1,11 +1,13 @@
 #include "measure/frame_clock.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "frame/warm_up.h"
+#include "gl/waits.h"
 
 namespace timeshade {
 
@@ -13,6 +15,12 @@ namespace {
 
 /// Programs of other techniques may have taken the places of this one's: these are compiled in a first attempt.
 constexpr int attempts = 3;
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
 
 }  // namespace
 
@@ -64,11 +72,18 @@ std::vector<ClockedFrame> FrameClock::timeOnce(Technique& technique, const Frame
 
 ClockedFrame FrameClock::draw(Technique& technique, FrameRequest request, double frame, FrameState state) {
     request.frame = frame;
+    const std::uint64_t compiled = renderer_.programs().compiled(), waits = gl::waitsSoFar();
+    ClockedFrame clocked;
+    clocked.state = state;
+    const Clock::time_point begin = Clock::now();
     FramePlan plan = planner_.plan(request);
-    const std::uint64_t before = renderer_.programs().compiled();
+    clocked.planMilliseconds = millisecondsSince(begin);
     renderer_.draw(std::move(plan), technique, view_, techniqueView_);
-    compiled_ = compiled_ || renderer_.programs().compiled() != before;
-    return {state, renderer_.timer().finishFrame()};
+    clocked.waits = gl::waitsSoFar() - waits;
+    clocked.readings = renderer_.timer().finishFrame();
+    clocked.wholeMilliseconds = millisecondsSince(begin);
+    compiled_ = compiled_ || renderer_.programs().compiled() != compiled;
+    return clocked;
 }
 
 }  // namespace timeshade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ namespace timeshade {
 struct ClockedFrame {
     FrameState state = FrameState::Steady;
     std::vector<gl::PassTimer::Reading> readings;
+    double planMilliseconds = 0.0;   ///< of the processor, before the device is told anything
+    double wholeMilliseconds = 0.0;  ///< by the clock on the wall, from the plan to the device having done all
+    std::uint64_t waits = 0;         ///< how often the processor waited for the device within the frame (gl/waits.h)
 };
 
 /// The readings by name, parts ("build/collect") too, and their sum without the parts as "total". Milliseconds.

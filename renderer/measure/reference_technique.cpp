@@ -1,4 +1,5 @@
 #include "measure/reference_technique.h"
+#include "gl/read_back.h"
 
 namespace timeshade {
 
@@ -30,9 +31,7 @@ void ReferenceTechnique::build(const TechniqueFrame& frame) {
 
 void ReferenceTechnique::drawLookup(const TechniqueFrame& frame) {
     const gl::Texture& ids = frame.samples.ids();
-    std::vector<std::uint32_t> triangles(ids.bytes() / sizeof(std::uint32_t));
-    glGetTextureImage(ids.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(ids.bytes()),
-                      triangles.data());
+    const auto triangles = gl::readTexture<std::uint32_t>(ids, GL_RED_INTEGER, GL_UNSIGNED_INT);
     const std::vector<OracleAnswer> answers = oracle_->answer(frame.plan, triangles);
     std::vector<float> lit(answers.size());
     for (std::size_t i = 0; i < lit.size(); ++i)

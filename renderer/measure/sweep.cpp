@@ -16,6 +16,7 @@
 #include "measure/reference_noise.h"
 #include "measure/reference_technique.h"
 #include "measure/sweep_journal.h"
+#include "measure/sweep_points.h"
 #include "measure/technique_variant.h"
 
 namespace timeshade {
@@ -37,35 +38,10 @@ struct Subject {
     SweepRow row;  ///< of any state, without times
 };
 
-bool isBaseline(const SweepPoint& point) { return point.technique == "embree"; }
-
-/// The scene's request with what a point varies of it.
-FrameRequest requestOf(const SweepScene& scene, const SweepPoint& point) {
-    FrameRequest request = scene.request;
-    // The baseline traces rays, each of which has a time.
-    if (isBaseline(point))
-        request.samples = CameraSamples::Strata;
-    else
-        request = TechniqueVariant::onItsSamples(point.technique).on(std::move(request));
-    request.samplesPerPixel = point.sampleCount;
-    request.mapSize = point.mapSize;
-    return request;
-}
-
 /// The states in which a point must have been measured: there may be rows for Filling as well.
 std::vector<FrameState> statesOf(const SweepPoint& point, const SweepScene& scene) {
     if (isBaseline(point) || !scene.request.useCaches || scene.request.forceDynamic) return {FrameState::Cold};
     return {FrameState::Cold, FrameState::Steady};
-}
-
-std::unique_ptr<Technique> makeSubject(const SweepPoint& point, const SweepOptions& options,
-                                       gl::ProgramCache& programs) {
-    if (isBaseline(point)) return std::make_unique<ReferenceTechnique>();
-    std::unique_ptr<Technique> technique =
-        TechniqueVariant::onItsSamples(point.technique).make(options.settings, programs);
-    if (technique->renders() > 1)
-        setFromText(*technique, "renders", std::to_string(bruteForceRenders(point.sampleCount)));
-    return technique;
 }
 
 /// Counts steps for the progress line and guesses the time left from the steps so far.
@@ -210,18 +186,6 @@ class SceneSweep {
     std::shared_ptr<const ReferenceVisibility> visibility_;
     DisplayImage displayedReference_;
 };
-
-std::vector<SweepPoint> pointsOf(const SweepOptions& options, const SweepScene& scene) {
-    std::vector<SweepPoint> points;
-    for (const std::string& technique : options.techniques)
-        for (const MapSize& mapSize : options.mapSizes) {
-            for (const int sampleCount : options.sampleCounts) {
-                points.push_back({scene.name, technique, sampleCount, mapSize, scene.varied, scene.variedValue});
-                if (isBaseline(points.back()) && mapSize != options.mapSizes.front()) points.pop_back();  // has no map
-            }
-        }
-    return points;
-}
 
 bool isWanted(FrameState state, const SweepOptions& options) {
     return state != FrameState::Filling || options.sequence > 0;

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "gl/dispatch.h"
+#include "gl/read_back.h"
 #include "shared/frame_blocks.shared.h"
 
 namespace timeshade {
@@ -47,8 +48,7 @@ std::size_t CellLists::scan(std::size_t multiple) {
         gl::dispatch(step == 1 ? 1 : blocks);
     }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    GLuint total = 0;
-    glGetNamedBufferSubData(offsets_->name(), static_cast<GLintptr>(cells_ * sizeof(GLuint)), sizeof total, &total);
+    const auto total = gl::readElement<GLuint>(*offsets_, cells_);
     if (total == std::numeric_limits<GLuint>::max())
         throw LimitError(
             fmt::format("lists of {} cells would hold {} entries or more; expected fewer: lower --map", cells_, total));

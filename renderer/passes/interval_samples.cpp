@@ -203,15 +203,11 @@ void IntervalSamples::writeParts(const gl::Inputs& inputs, Batch batch, bool cut
     counts_ = readCounts();
 }
 
-IntervalSamples::Counts IntervalSamples::readCounts() const {
-    return gl::readElements<Counts>(countsBuffer_, 0, 1).front();
-}
+IntervalSamples::Counts IntervalSamples::readCounts() const { return gl::readElement<Counts>(countsBuffer_); }
 
 IntervalSamples::Read IntervalSamples::read() const {
     const std::vector<SeenPart> stored = gl::readElements<SeenPart>(parts_.buffer(), 0, counts_.parts);
-    std::vector<glm::u32vec2> heads(partsOfPositions_->bytes() / sizeof(glm::u32vec2));
-    glGetTextureImage(partsOfPositions_->name(), 0, GL_RG_INTEGER, GL_UNSIGNED_INT,
-                      static_cast<GLsizei>(partsOfPositions_->bytes()), heads.data());
+    const auto heads = gl::readTexture<glm::u32vec2>(*partsOfPositions_, GL_RG_INTEGER, GL_UNSIGNED_INT);
     const auto positions = static_cast<std::size_t>(partsOfPositions_->layers());
     const std::size_t pixels = heads.size() / positions;
     Read read;

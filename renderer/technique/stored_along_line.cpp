@@ -1,4 +1,5 @@
 #include "technique/stored_along_line.h"
+#include "gl/read_back.h"
 
 #include <cmath>
 #include <limits>
@@ -23,9 +24,7 @@ std::vector<float> valuesAlong(const gl::Texture& map, int layer, const std::vec
     const glm::ivec2 size = high - low + 1;
     std::vector<float> values(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     const GLenum format = map.format() == GL_DEPTH_COMPONENT32F ? GL_DEPTH_COMPONENT : GL_RED;
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureSubImage(map.name(), 0, low.x, low.y, layer, size.x, size.y, 1, format, GL_FLOAT,
-                         static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+    gl::readTexels(map, {low.x, low.y, layer, size.x, size.y}, format, GL_FLOAT, values);
     std::vector<float> along;
     along.reserve(texels.size());
     for (const TexelOnLine& t : texels) {

@@ -35,8 +35,11 @@ ORDINARY = {
 # them from the registry or from `list --json`.
 ABOUT = {
     # properties of these techniques
+    "tests/cli/gpu_check_test.py": ("exact", "tsm"),
+    "tests/cli/times_test.py": ("exact", "static"),
     "tests/golden/golden_test.py": ("accumulation", "exact", "history", "ranges", "static", "temporal", "tsm"),
     "tests/parity/range_lists_test.cpp": ("ranges",),
+    "tests/parity/range_order_test.cpp": ("ranges",),
     "tests/parity/sample_pass_test.cpp": ("static",),
     "tests/parity/shader_variants_test.cpp": ("exact", "integral", "interleaved", "tsm"),
     "tests/parity/technique_views_test.cpp": ("ranges",),

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "gl/read_back.h"
 #include "oracle/oracle.h"
 #include "technique/technique.h"
 
@@ -33,9 +34,7 @@ class GivenVisibilityTechnique final : public Technique {
     bool hasOwnLookup() const override { return true; }
     void drawLookup(const TechniqueFrame& frame) override {
         const gl::Texture& ids = frame.samples.ids();
-        std::vector<std::uint32_t> triangles(ids.bytes() / sizeof(std::uint32_t));
-        glGetTextureImage(ids.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(ids.bytes()),
-                          triangles.data());
+        const auto triangles = gl::readTexture<std::uint32_t>(ids, GL_RED_INTEGER, GL_UNSIGNED_INT);
         const Oracle oracle(frame.plan);
         const std::vector<float> lit = values_(oracle, frame.plan, triangles);
         const gl::Texture& visibility = frame.visibility.lit();

@@ -114,8 +114,7 @@ void VisibilityMap::addMarks(const FramePlan& plan, const MapLine& line, std::ve
 }
 
 VisibilityMapCounts VisibilityMap::counts() const {
-    DeviceCounts device;
-    glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
+    const auto device = gl::readElement<DeviceCounts>(counts_);
     return {device.hits, device.texelsInUse, device.mostNodes, nodeCount_};
 }
 

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "gl/read_back.h"
 #include "techniques/layers/layer_grids.h"
 
 namespace timeshade {
@@ -11,8 +12,7 @@ constexpr int timesShown = 32;
 
 std::vector<glm::vec4> block(const gl::Texture& texture, const glm::ivec2& low, int side, int layer) {
     std::vector<glm::vec4> values(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-    glGetTextureSubImage(texture.name(), 0, low.x, low.y, layer, side, side, 1, GL_RGBA, GL_FLOAT,
-                         static_cast<GLsizei>(values.size() * sizeof(glm::vec4)), values.data());
+    gl::readTexels(texture, {low.x, low.y, layer, side, side}, GL_RGBA, GL_FLOAT, values);
     return values;
 }
 

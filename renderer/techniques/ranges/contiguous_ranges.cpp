@@ -174,8 +174,7 @@ void ContiguousRanges::addMarks(const FramePlan& plan, const MapLine& line, std:
 }
 
 RangeCounts ContiguousRanges::counts() const {
-    DeviceCounts device;
-    glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
+    const auto device = gl::readElement<DeviceCounts>(counts_);
     RangeCounts counts;
     counts.fragments = places_ - device.sparePlaces;
     counts.ranges = places_ / 2 - device.emptyRanges;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gl/dispatch.h"
+#include "gl/read_back.h"
 #include "shared/linked_intervals.shared.h"
 #include "technique/linked_interval_marks.h"
 #include "techniques/ranges/bindings.shared.h"
@@ -89,9 +90,7 @@ void LinkedRanges::collect(const TechniqueFrame& frame) {
     glBindVertexArray(none_.name());
     if (prisms_ > 0) glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(prisms_));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    DeviceCounts counted;
-    glGetNamedBufferSubData(counts_.name(), 0, sizeof counted, &counted);
-    fragments_ = counted.fragments;
+    fragments_ = gl::readElement<DeviceCounts>(counts_).fragments;
 }
 
 void LinkedRanges::generate() {
@@ -113,8 +112,7 @@ void LinkedRanges::addMarks(const FramePlan& plan, const MapLine& line, std::vec
 }
 
 RangeCounts LinkedRanges::counts() const {
-    DeviceCounts device;
-    glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
+    const auto device = gl::readElement<DeviceCounts>(counts_);
     RangeCounts counts;
     counts.fragments = device.fragments;
     counts.ranges = device.ranges;

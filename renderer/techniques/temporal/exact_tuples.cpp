@@ -115,20 +115,14 @@ void ExactTuples::addMarks(const FramePlan& plan, const MapLine& line, std::vect
 TupleCounts ExactTuples::counts() const {
     TupleCounts counts;
     counts.tuples = tuples_;
-    std::vector<GLuint> offsets(lists_.cells() + 1);
-    glGetNamedBufferSubData(lists_.offsetsBuffer().name(), 0, static_cast<GLsizeiptr>(offsets.size() * sizeof(GLuint)),
-                            offsets.data());
+    const auto offsets = gl::readElements<GLuint>(lists_.offsetsBuffer(), 0, lists_.cells() + 1);
     for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)
         counts.longestList = std::max<std::size_t>(counts.longestList, offsets[cell + 1] - offsets[cell]);
     counts.predictedBytes = tuples_ * bytesPerTuple + lists_.cells() * 2 * sizeof(GLuint) +
                             covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
     if (coverage_) {
-        GLuint skipped = 0;
-        glGetNamedBufferSubData(skipped_.name(), 0, sizeof skipped, &skipped);
-        counts.skippedTuples = skipped;
-        std::vector<float> claims(lists_.cells());
-        glGetTextureImage(coverage_->name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                          static_cast<GLsizei>(claims.size() * sizeof(float)), claims.data());
+        counts.skippedTuples = gl::readElement<GLuint>(skipped_);
+        const auto claims = gl::readTexture<float>(*coverage_, GL_DEPTH_COMPONENT, GL_FLOAT);
         counts.coveredTexels = static_cast<std::size_t>(
             std::count_if(claims.begin(), claims.end(), [](float claim) { return claim > 0.0f; }));
         counts.predictedBytes += coverage_->bytes();

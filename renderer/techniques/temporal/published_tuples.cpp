@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gl/read_back.h"
 #include "shared/linked_intervals.shared.h"
 #include "technique/linked_interval_marks.h"
 #include "techniques/temporal/bindings.shared.h"
@@ -62,7 +63,7 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
         covers_.draw(programs_, "techniques/temporal/published_tuples.frag", defines,
                      gl::Inputs(inputs).set("capacity", static_cast<std::uint32_t>(room)));
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        glGetNamedBufferSubData(counts_.name(), 0, sizeof found, &found);
+        found = gl::readElement<DeviceCounts>(counts_);
         if (found.tuples <= room) break;
     }
     count_ = found.tuples;
@@ -80,11 +81,8 @@ void PublishedTuples::addMarks(const FramePlan& plan, const MapLine& line, std::
 TupleCounts PublishedTuples::counts() const {
     TupleCounts counts;
     counts.tuples = count_;
-    std::vector<GLuint> heads(texels_), tuples(std::max<std::size_t>(count_, 1) * LINKED_INTERVAL_WORDS);
-    glGetNamedBufferSubData(heads_.buffer().name(), 0, static_cast<GLsizeiptr>(heads.size() * sizeof(GLuint)),
-                            heads.data());
-    glGetNamedBufferSubData(tuples_.buffer().name(), 0, static_cast<GLsizeiptr>(tuples.size() * sizeof(GLuint)),
-                            tuples.data());
+    const auto heads = gl::readElements<GLuint>(heads_.buffer(), 0, texels_);
+    const auto tuples = gl::readElements<GLuint>(tuples_.buffer(), 0, count_ * LINKED_INTERVAL_WORDS);
     for (const GLuint head : heads) {
         std::size_t length = 0;
         for (GLuint tuple = head; tuple != NO_INTERVAL; tuple = tuples[std::size_t{tuple} * LINKED_INTERVAL_WORDS + 5])
@@ -94,12 +92,8 @@ TupleCounts PublishedTuples::counts() const {
     counts.predictedBytes = count_ * LINKED_INTERVAL_WORDS * sizeof(GLuint) + texels_ * sizeof(GLuint) +
                             covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
     if (coverage_) {
-        DeviceCounts device;
-        glGetNamedBufferSubData(counts_.name(), 0, sizeof device, &device);
-        counts.skippedTuples = device.skipped;
-        std::vector<float> covered(texels_);
-        glGetTextureImage(coverage_->map().name(), 0, GL_RED, GL_FLOAT,
-                          static_cast<GLsizei>(covered.size() * sizeof(float)), covered.data());
+        counts.skippedTuples = gl::readElement<DeviceCounts>(counts_).skipped;
+        const auto covered = gl::readTexture<float>(coverage_->map(), GL_RED, GL_FLOAT);
         counts.coveredTexels = static_cast<std::size_t>(
             std::count_if(covered.begin(), covered.end(), [](float id) { return id >= 0.0f; }));
         // Nearest map 8 bytes, coverage map 4, depth 4.
