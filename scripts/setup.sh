@@ -105,8 +105,17 @@ show_progress() {
     fi
 }
 
+# ccache keeps what it has where it always does, but beside the build where that can't be written.
+choose_compiler_cache() {
+    local usual=${CCACHE_DIR:-${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/ccache}
+    if ! mkdir -p "$usual" 2>/dev/null || [[ ! -w $usual ]]; then
+        export CCACHE_DIR=$root/build/ccache
+    fi
+}
+
 # build TARGET...
 build() {
+    choose_compiler_cache
     ninja -C "$build_folder" -j "$(nproc)" "$@" 2>&1 | show_progress >"$log" || fail_with_log "the build failed"
 }
 
