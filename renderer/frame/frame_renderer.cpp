@@ -71,7 +71,7 @@ FrameRenderer::FrameRenderer()
       maps_(programs_, caches_),
       samplePass_(programs_, caches_),
       intervals_(programs_, caches_),
-      shadePass_(programs_),
+      shadePass_(programs_, caches_),
       displayPass_(programs_),
       heatMapPass_(programs_),
       lookupPass_(programs_, caches_),
@@ -193,8 +193,16 @@ void FrameRenderer::drawSamples(const FramePlan& plan) {
 }
 
 void FrameRenderer::drawShade(const FramePlan& plan) {
-    if (plan.block.positions == 0)
-        return shadePass_.draw(plan, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
+    if (plan.block.positions == 0) {
+        const bool cached = lookupKey_ != 0 && plan.versions.shading != 0 && renders_ == 1;
+        const auto& still = lookupPass_.still();
+        if (!cached || !still)
+            return shadePass_.draw(plan, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
+        const CacheKey key =
+            Hash().add(lookupKey_).add(plan.versions.shading).add(static_cast<std::uint64_t>(view_)).value() | 1;
+        return shadePass_.drawOntoStill(plan, fullscreen_, *samples_, *visibility_, view_,
+                                        {key, *still->ids, *still->lit, still->others}, *radiance_);
+    }
     shadePass_.draw(
         plan, fullscreen_,
         {intervals_.parts(), intervals_.partsOfPositions(), partLookup_.values(), technique_->solvesIntervals()}, view_,
@@ -202,6 +210,7 @@ void FrameRenderer::drawShade(const FramePlan& plan) {
 }
 
 void FrameRenderer::drawLookup(const TechniqueFrame& frame) {
+    lookupKey_ = 0;
     if (technique_->hasOwnLookup()) return technique_->drawLookup(frame);
     Lookup lookup;
     lookup.program = [&](Casters casters) { return technique_->lookupProgram(frame, casters); };
@@ -211,6 +220,7 @@ void FrameRenderer::drawLookup(const TechniqueFrame& frame) {
     if (frame.plan.versions.lit != 0) lookup.key = Hash().add(settings_.key()).add(frame.plan.versions.lit).value() | 1;
     if (technique_->separatesStaticCasters()) lookup.staticIds = samplePass_.staticIds(frame.plan, *samples_);
     lookupPass_.draw(frame, lookup);
+    lookupKey_ = lookup.key;
 }
 
 void FrameRenderer::endFrame() {
@@ -317,8 +327,8 @@ GpuMemory FrameRenderer::memory() const {
         memory.visibility += partLookup_.bytes();
     }
     memory.technique = techniqueBytes_;
-    memory.picture =
-        (radiance_ ? radiance_->bytes() : 0) + (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);
+    memory.picture = caches_.bytes("shade: ") + (radiance_ ? radiance_->bytes() : 0) +
+                     (picture_ ? picture_->bytes() : 0) + (values_ ? values_->bytes() : 0);
     return memory;
 }
 

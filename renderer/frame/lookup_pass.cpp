@@ -37,7 +37,11 @@ void LookupPass::draw(const TechniqueFrame& frame, const Lookup& lookup) {
     auto& buffer = caches_.entry<NoContent>(bufferName);
     const bool again = buffer.wantedAgain(lookup.key);
     const bool nothingMoves = frame.plan.casters.nothingMoves() && frame.plan.camera.dynamicTriangles.empty();
-    if (nothingMoves && again && buffer.holds(lookup.key)) return;
+    still_.reset();
+    if (nothingMoves && again && buffer.holds(lookup.key)) {
+        still_ = {&frame.samples.ids(), &frame.visibility.lit(), nullptr};
+        return;
+    }
     buffer.setKey(nothingMoves ? lookup.key : 0);
     if (again && !nothingMoves && lookup.staticIds != nullptr && mayCacheStatic(lookup.footprint))
         return drawReached(frame, lookup);
@@ -138,6 +142,7 @@ void LookupPass::drawReached(const TechniqueFrame& frame, const Lookup& lookup) 
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_GREATER);
     glDisable(GL_DEPTH_TEST);
+    still_ = {lookup.staticIds, &cached.lit, &reached.target};
 }
 
 }  // namespace timeshade

@@ -36,6 +36,15 @@ class LookupPass {
         : programs_(programs), caches_(caches), target_("visibility target") {}
     void draw(const TechniqueFrame& frame, const Lookup& lookup);
 
+    /// Pixels in which nothing is other than static receivers under static casters alone.
+    struct StillPixels {
+        const gl::Texture* ids;  ///< samples and visibility of static receivers by static casters, in all pixels
+        const gl::Texture* lit;
+        const gl::Framebuffer* others;  ///< its depth test (GL_EQUAL) lets all other pixels pass; null: there are none
+    };
+    /// As the last draw() found them; nothing where it did not look. Valid until the next.
+    const std::optional<StillPixels>& still() const { return still_; }
+
   private:
     /// Visibility of static receivers by static casters, and the cells of the light's map that each pixel's samples lie
     /// in: x and y, and what is left beyond them.
@@ -63,6 +72,7 @@ class LookupPass {
     gl::ProgramCache& programs_;
     FrameCaches& caches_;
     gl::Framebuffer target_;
+    std::optional<StillPixels> still_;
 };
 
 }  // namespace timeshade

@@ -6,6 +6,14 @@ namespace timeshade {
 
 namespace {
 
+const std::string colourName = "shade: still";
+
+struct StillColours {
+    StillColours(int width, int height) : colours(gl::Texture::image2D("still colours", GL_RGBA32F, width, height)) {}
+    std::size_t bytes() const { return colours.bytes(); }
+    gl::Texture colours;
+};
+
 /// What of the frame itself decides how it is shaded.
 gl::ShaderDefines definesOf(const FramePlan& plan, View view) {
     gl::ShaderDefines defines;
@@ -21,12 +29,51 @@ gl::ShaderDefines definesOf(const FramePlan& plan, View view) {
 
 }  // namespace
 
-void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
-                     const VisibilityBuffer& visibility, View view, bool add, const gl::Texture& radiance) {
+const gl::Program& ShadePass::programOf(const FramePlan& plan, View view) {
     gl::ShaderDefines defines = definesOf(plan, view);
     // A single sample is its own mean.
     if (plan.block.response != SHUTTER_BOX && plan.block.wholeStrata > 1) defines.emplace_back("SHUTTER_WEIGHTS", "1");
-    const gl::Program& program = programs_.get({"shade", "passes/fullscreen.vert", "passes/shade.frag", defines});
+    return programs_.get({"shade", "passes/fullscreen.vert", "passes/shade.frag", defines});
+}
+
+void ShadePass::drawOntoStill(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
+                              const VisibilityBuffer& visibility, View view, const Still& still,
+                              const gl::Texture& radiance) {
+    const int width = radiance.width(), height = radiance.height();
+    const gl::Program& program = programOf(plan, view);
+    auto& entry = caches_.entry<StillColours>(colourName);
+    const bool held = entry.holds(still.key);
+    const gl::Texture& colours = entry.get(width, height).colours;
+    if (!held) {
+        still.ids.bind(SAMPLE_IDS_UNIT);
+        still.lit.bind(VISIBILITY_UNIT);
+        target_.attach(GL_COLOR_ATTACHMENT0, colours);
+        target_.setColorCount(1);
+        target_.bindForDrawing(width, height);
+        fullscreen.draw(program);
+        entry.setKey(still.key);
+    }
+    glCopyImageSubData(colours.name(), GL_TEXTURE_2D, 0, 0, 0, 0, radiance.name(), GL_TEXTURE_2D, 0, 0, 0, 0, width,
+                       height, 1);
+    if (still.others == nullptr) return;
+    samples.ids().bind(SAMPLE_IDS_UNIT);
+    visibility.lit().bind(VISIBILITY_UNIT);
+    still.others->setColorCount(1);
+    still.others->attach(GL_COLOR_ATTACHMENT0, radiance);
+    still.others->bindForDrawing(width, height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    fullscreen.draw(program);
+    still.others->detach(GL_COLOR_ATTACHMENT0);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_GREATER);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
+                     const VisibilityBuffer& visibility, View view, bool add, const gl::Texture& radiance) {
+    const gl::Program& program = programOf(plan, view);
     samples.ids().bind(SAMPLE_IDS_UNIT);
     visibility.lit().bind(VISIBILITY_UNIT);
     target_.attach(GL_COLOR_ATTACHMENT0, radiance);

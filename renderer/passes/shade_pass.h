@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame_caches.h"
 #include "gl/framebuffer.h"
 #include "gl/program_cache.h"
 #include "passes/fullscreen.h"
@@ -23,10 +24,23 @@ enum class View {
 /// sample is its own mean, so that it knows nothing of a response.
 class ShadePass {
   public:
-    explicit ShadePass(gl::ProgramCache& programs) : programs_(programs), target_("shade target") {}
+    ShadePass(gl::ProgramCache& programs, FrameCaches& caches)
+        : programs_(programs), caches_(caches), target_("shade target") {}
     /// `radiance` is RGBA32F of the plan's size. add: add to what is there (brute force) instead of replacing it.
     void draw(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
               const VisibilityBuffer& visibility, View view, bool add, const gl::Texture& radiance);
+
+    /// What is the same as in the frame before.
+    struct Still {
+        CacheKey key;            ///< of the colours of static receivers under static casters alone
+        const gl::Texture& ids;  ///< their samples, and what is lit of them
+        const gl::Texture& lit;
+        const gl::Framebuffer* others;  ///< its depth test (GL_EQUAL) lets pass the pixels that show more than that;
+                                        ///< null: there are none
+    };
+    /// The same picture, to the last bit, by way of a cached one of what is still: only the other pixels are shaded.
+    void drawOntoStill(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
+                       const VisibilityBuffer& visibility, View view, const Still& still, const gl::Texture& radiance);
 
     /// What interval samples are shaded from: IntervalSamples' parts and PartLookup's values.
     struct Parts {
@@ -40,7 +54,10 @@ class ShadePass {
               const gl::Texture& radiance);
 
   private:
+    const gl::Program& programOf(const FramePlan& plan, View view);
+
     gl::ProgramCache& programs_;
+    FrameCaches& caches_;
     gl::Framebuffer target_;
 };
 

@@ -375,7 +375,7 @@ void FramePlanner::decideMotion(FramePlan& plan) {
     const bool lightMoves = plan.block.lightPositionOpen != plan.block.lightPositionClose ||
                             plan.block.lightDirection != plan.block.lightDirectionClose;
     if (plan.camera.staticTriangles.empty()) plan.versions.samples = 0;
-    if (plan.versions.samples == 0 || lightMoves) plan.versions.lit = 0;
+    if (plan.versions.samples == 0 || lightMoves) plan.versions.lit = plan.versions.shading = 0;
     if (plan.versions.lit != 0 && !plan.casters.nothingMoves())
         plan.reached = maskOfDynamicCasters(plan.casters, *motion.inMap, plan.request.mapSize.shorterSide());
 }

@@ -42,6 +42,7 @@ struct Changes {
     std::size_t reclassified = 0;
     bool casters = false;  ///< static casters
     bool seen = false;     ///< what the camera sees of what stands still
+    bool shading = false;  ///< normals of that
 
     /// `before`: null where there is none to compare with.
     void add(const TriangleMotion& motion, const TriangleMotion* before, bool samePlace) {
@@ -51,6 +52,12 @@ struct Changes {
             casters = casters || !samePlace || isStaticCaster(motion) != isStaticCaster(*before);
         if (isStaticBeforeCamera(motion) || isStaticBeforeCamera(*before))
             seen = seen || !samePlace || isStaticBeforeCamera(motion) != isStaticBeforeCamera(*before);
+    }
+    /// Of a triangle that is where it was.
+    void addShading(const TriangleMotion& motion, const MeshTexels& before, const MeshTexels& now, std::size_t id) {
+        if (shading || &before == &now || !isStaticBeforeCamera(motion)) return;
+        const std::size_t at = id * TRIANGLE_SHADING_TEXELS;
+        shading = std::memcmp(&before.shading[at], &now.shading[at], TRIANGLE_SHADING_TEXELS * sizeof(glm::vec4)) != 0;
     }
 };
 
@@ -66,7 +73,7 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
                            block_.lightPositionOpen == views.block.lightPositionOpen &&
                            block_.lightPositionClose == views.block.lightPositionClose;
     const bool sameBlock = !first && sameBytes(block_, views.block);
-    bool sameCasters = sameLight, sameSeen = sameCamera && samePattern(block_, views.block);
+    bool sameShading = !first, sameCasters = sameLight, sameSeen = sameCamera && samePattern(block_, views.block);
 
     Motion now;
     if (!(sameCamera && sameLight && texels_ == texels)) {
@@ -77,7 +84,7 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
         auto inMap = sameViews ? std::make_shared<std::vector<shared::SweptBounds>>(*last_.inMap)
                                : std::make_shared<std::vector<shared::SweptBounds>>(count);
         std::atomic<std::size_t> reclassified{0};
-        std::atomic<bool> otherCasters{false}, otherSeen{false};
+        std::atomic<bool> otherCasters{false}, otherSeen{false}, otherShading{false};
         forRanges(count, trianglesTogether, [&](std::size_t begin, std::size_t end) {
             Changes changes;
             for (std::size_t id = begin; id < end; ++id) {
@@ -85,18 +92,24 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
                 const bool samePlace =
                     !first && (texels_ == texels || std::memcmp(&texels_->positions[at], &texels->positions[at],
                                                                 TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
-                if (samePlace && sameViews) continue;
+                if (samePlace && sameViews) {
+                    changes.addShading((*triangles)[id], *texels_, *texels, id);
+                    continue;
+                }
                 TriangleMotion& motion = (*triangles)[id];
                 motion = motionOf(texels->positions, static_cast<std::uint32_t>(id), views, (*inMap)[id]);
                 changes.add(motion, first ? nullptr : &(*last_.triangles)[id], samePlace);
+                if (samePlace) changes.addShading(motion, *texels_, *texels, id);
             }
             reclassified += changes.reclassified;
             if (changes.casters) otherCasters = true;
             if (changes.seen) otherSeen = true;
+            if (changes.shading) otherShading = true;
         });
         now.reclassified = reclassified;
         sameCasters = sameCasters && !otherCasters;
         sameSeen = sameSeen && !otherSeen;
+        sameShading = !otherShading;
         now.triangles = std::move(triangles);
         now.inMap = std::move(inMap);
     } else {
@@ -105,7 +118,9 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
     }
     now.versions.casters = sameCasters ? last_.versions.casters : newVersion();
     now.versions.samples = sameSeen ? last_.versions.samples : newVersion();
-    now.versions.lit = sameCasters && sameSeen && sameBlock ? last_.versions.lit : newVersion();
+    const bool sameLit = sameCasters && sameSeen && sameBlock;
+    now.versions.lit = sameLit ? last_.versions.lit : newVersion();
+    now.versions.shading = sameLit && sameShading ? last_.versions.shading : newVersion();
     texels_ = texels;
     camera_ = views.camera.block;
     light_ = views.light.block;

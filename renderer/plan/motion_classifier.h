@@ -16,6 +16,7 @@ struct StaticVersions {
     std::uint64_t casters = 0;  ///< the light's view and its static triangles
     std::uint64_t samples = 0;  ///< the camera's view and sample pattern, and its static triangles
     std::uint64_t lit = 0;      ///< both, and the light: visibility of static receivers by static casters
+    std::uint64_t shading = 0;  ///< all that, and the normals of static receivers: their colours
 };
 
 /// Classifies the motion of every triangle. Results of the previous frame are reused for triangles whose positions and
