@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "oracle/parallel_rows.h"
+#include "core/parallel.h"
 #include "oracle/seen_segments.h"
 #include "oracle/segment_light.h"
 #include "oracle/segment_triangle.h"
@@ -25,16 +25,6 @@ struct SegmentOracle::Implementation {
 };
 
 namespace {
-
-/// On all cores, some at a time.
-template <class Work>
-void forEachIndex(std::size_t count, const Work& work) {
-    constexpr std::size_t together = 16;
-    forEachRow(static_cast<std::uint32_t>((count + together - 1) / together), [&](std::uint32_t row) {
-        const std::size_t first = row * together;
-        for (std::size_t i = first; i < std::min(first + together, count); ++i) work(i);
-    });
-}
 
 /// A triangle as a camera ray meets its plane.
 struct PlaneMeeting {
@@ -75,7 +65,7 @@ std::vector<SeenSegment> SegmentOracle::seenBy(const FramePlan& plan, glm::vec2 
 std::vector<std::vector<SeenSegment>> SegmentOracle::seenByAll(const FramePlan& plan,
                                                                std::span<const glm::vec2> places) const {
     std::vector<std::vector<SeenSegment>> seen(places.size());
-    forEachIndex(places.size(), [&](std::size_t i) { seen[i] = seenBy(plan, places[i]); });
+    forEachOf(places.size(), 64, [&](std::size_t i) { seen[i] = seenBy(plan, places[i]); });
     return seen;
 }
 
@@ -91,7 +81,7 @@ std::vector<LitSegment> SegmentOracle::litOver(const FramePlan& plan, glm::vec2 
 std::vector<std::vector<LitSegment>> SegmentOracle::litByAll(const FramePlan& plan,
                                                              std::span<const glm::vec2> places) const {
     std::vector<std::vector<LitSegment>> lit(places.size());
-    forEachIndex(places.size(), [&](std::size_t i) { lit[i] = litOver(plan, places[i], seenBy(plan, places[i])); });
+    forEachOf(places.size(), 64, [&](std::size_t i) { lit[i] = litOver(plan, places[i], seenBy(plan, places[i])); });
     return lit;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/changed_upload.h"
 #include "shared/cutout.shared.h"
 
 namespace timeshade {
@@ -97,10 +98,21 @@ void GpuMesh::update(const FramePlan& plan) {
     // Its materials may lie in memory where those of a scene that is gone lay.
     if (newScene || materialsOf_ != plan.materials) uploadMaterials(plan);
     if (newScene) allocate(plan);
+    uploadedBytes_ = 0;
     if (uploaded_ == plan.texels) return;
-    positions_->upload(std::span<const glm::vec4>(plan.texels->positions));
-    shading_->upload(std::span<const glm::vec4>(plan.texels->shading));
-    vertexPositions_->upload(std::span<const glm::vec3>(plan.texels->vertices));
+    const auto upload = [&](gl::Buffer& buffer, const auto& now, const auto* before) {
+        const std::span values(now);
+        if (before != nullptr) {
+            uploadedBytes_ += gl::uploadChanged(buffer, values, std::span(*before));
+        } else {
+            buffer.upload(values);
+            uploadedBytes_ += values.size_bytes();
+        }
+    };
+    const MeshTexels &now = *plan.texels, *before = uploaded_.get();
+    upload(*positions_, now.positions, before ? &before->positions : nullptr);
+    upload(*shading_, now.shading, before ? &before->shading : nullptr);
+    upload(*vertexPositions_, now.vertices, before ? &before->vertices : nullptr);
     uploaded_ = plan.texels;
 }
 

@@ -11,7 +11,7 @@
 
 namespace timeshade {
 
-/// The triangles of a frame and their materials on the GPU. Uploaded when the plan's mesh is another one than before.
+/// The triangles of a frame and their materials on the GPU. What of the plan's mesh is other than before is uploaded.
 class GpuMesh {
   public:
     /// Brings the GPU up to date with the plan.
@@ -30,6 +30,8 @@ class GpuMesh {
     /// (lib/cutouts.glsl).
     bool hasCutouts() const { return cutoutAlphas_.has_value(); }
     std::size_t bytes() const;
+    /// Of the mesh, by the last update().
+    std::size_t uploadedBytes() const { return uploadedBytes_; }
 
   private:
     void uploadMaterials(const FramePlan& plan);
@@ -40,7 +42,7 @@ class GpuMesh {
     std::shared_ptr<const MeshTexels> uploaded_;
     std::shared_ptr<const MeshTopology> allocatedFor_;
     const std::vector<Material>* materialsOf_ = nullptr;
-    std::size_t triangleCount_ = 0;
+    std::size_t triangleCount_ = 0, uploadedBytes_ = 0;
     std::optional<gl::Buffer> positions_, shading_, materials_, vertexPositions_, indices_;
     std::optional<gl::Buffer> cutoutMaterials_, cutoutAlphas_;
     std::optional<gl::Texture> positionsView_, shadingView_, materialsView_;

@@ -1,8 +1,16 @@
 #include "plan/mesh_texels.h"
 
 #include "core/check.h"
+#include "core/parallel.h"
 
 namespace timeshade {
+
+namespace {
+
+/// As many vertices or triangles as are worth a thread.
+constexpr std::size_t together = 4096;
+
+}  // namespace
 
 MeshTexels packMesh(const MotionMesh& mesh, const std::vector<Material>& materials, const glm::dvec3& origin) {
     const MeshTopology& topology = *mesh.topology;
@@ -13,17 +21,15 @@ MeshTexels packMesh(const MotionMesh& mesh, const std::vector<Material>& materia
     MeshTexels texels;
     texels.positions.resize(topology.triangles.size() * TRIANGLE_POSITION_TEXELS);
     texels.shading.resize(topology.triangles.size() * TRIANGLE_SHADING_TEXELS);
-    texels.vertices.reserve(2 * mesh.positionsOpen.size());
+    texels.vertices.resize(2 * mesh.positionsOpen.size());
     std::vector<glm::vec3> open(mesh.positionsOpen.size()), close(mesh.positionsClose.size());
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        open[i] = glm::vec3(mesh.positionsOpen[i] - origin);
-        close[i] = glm::vec3(mesh.positionsClose[i] - origin);
-        texels.vertices.push_back(open[i]);
-        texels.vertices.push_back(close[i]);
-    }
-    glm::vec4* position = texels.positions.data();
-    glm::vec4* shading = texels.shading.data();
-    for (std::size_t i = 0; i < topology.triangles.size(); ++i) {
+    forEachOf(open.size(), together, [&](std::size_t i) {
+        texels.vertices[2 * i] = open[i] = glm::vec3(mesh.positionsOpen[i] - origin);
+        texels.vertices[2 * i + 1] = close[i] = glm::vec3(mesh.positionsClose[i] - origin);
+    });
+    forEachOf(topology.triangles.size(), together, [&](std::size_t i) {
+        glm::vec4* position = texels.positions.data() + i * TRIANGLE_POSITION_TEXELS;
+        glm::vec4* shading = texels.shading.data() + i * TRIANGLE_SHADING_TEXELS;
         const glm::u32vec3 v = topology.triangles[i];
         const std::uint32_t material = topology.triangleMaterials[i];
         CHECK_LT(material, materials.size());
@@ -34,7 +40,6 @@ MeshTexels packMesh(const MotionMesh& mesh, const std::vector<Material>& materia
         position[2] = {a2.z, b0.x, b0.y, b0.z};
         position[3] = {b1.x, b1.y, b1.z, b2.x};
         position[4] = {b2.y, b2.z, materials[material].doubleSided ? 1.0f : 0.0f, static_cast<float>(material)};
-        position += TRIANGLE_POSITION_TEXELS;
         const glm::vec3 &m0 = mesh.normalsOpen[v.x], &m1 = mesh.normalsOpen[v.y], &m2 = mesh.normalsOpen[v.z];
         const glm::vec3 &n0 = mesh.normalsClose[v.x], &n1 = mesh.normalsClose[v.y], &n2 = mesh.normalsClose[v.z];
         const glm::vec2 &t0 = topology.textureCoordinates[v.x], &t1 = topology.textureCoordinates[v.y],
@@ -45,8 +50,7 @@ MeshTexels packMesh(const MotionMesh& mesh, const std::vector<Material>& materia
         shading[3] = {n1.x, n1.y, n1.z, n2.x};
         shading[4] = {n2.y, n2.z, t0.x, t0.y};
         shading[5] = {t1.x, t1.y, t2.x, t2.y};
-        shading += TRIANGLE_SHADING_TEXELS;
-    }
+    });
     return texels;
 }
 

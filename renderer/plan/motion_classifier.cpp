@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstring>
 
+#include "core/parallel.h"
 #include "plan/frame_plan.h"
 
 namespace timeshade {
@@ -26,6 +27,33 @@ bool isStaticBeforeCamera(const TriangleMotion& t) {
     return !t.camera.moves && t.camera.reach != Reach::Outside && (t.doubleSided || t.camera.facing != Facing::Away);
 }
 
+/// Whether camera samples have the same places and times.
+bool samePattern(const shared::FrameBlock& a, const shared::FrameBlock& b) {
+    return a.seed == b.seed && a.timeBase == b.timeBase && a.timeScale == b.timeScale &&
+           a.firstStratum == b.firstStratum && a.imageSize == b.imageSize && a.pixelCentres == b.pixelCentres &&
+           a.positions == b.positions;
+}
+
+/// As many as are worth a thread.
+constexpr std::size_t trianglesTogether = 2048;
+
+/// What of some triangles is other than in the frame before.
+struct Changes {
+    std::size_t reclassified = 0;
+    bool casters = false;  ///< static casters
+    bool seen = false;     ///< what the camera sees of what stands still
+
+    /// `before`: null where there is none to compare with.
+    void add(const TriangleMotion& motion, const TriangleMotion* before, bool samePlace) {
+        ++reclassified;
+        if (before == nullptr) return;
+        if (isStaticCaster(motion) || isStaticCaster(*before))
+            casters = casters || !samePlace || isStaticCaster(motion) != isStaticCaster(*before);
+        if (isStaticBeforeCamera(motion) || isStaticBeforeCamera(*before))
+            seen = seen || !samePlace || isStaticBeforeCamera(motion) != isStaticBeforeCamera(*before);
+    }
+};
+
 }  // namespace
 
 MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const MeshTexels>& texels,
@@ -38,12 +66,7 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
                            block_.lightPositionOpen == views.block.lightPositionOpen &&
                            block_.lightPositionClose == views.block.lightPositionClose;
     const bool sameBlock = !first && sameBytes(block_, views.block);
-    const bool samePattern =
-        block_.seed == views.block.seed && block_.timeBase == views.block.timeBase &&
-        block_.timeScale == views.block.timeScale && block_.firstStratum == views.block.firstStratum &&
-        block_.imageSize == views.block.imageSize && block_.pixelCentres == views.block.pixelCentres &&
-        block_.positions == views.block.positions;
-    bool sameCasters = sameLight, sameSeen = sameCamera && samePattern;
+    bool sameCasters = sameLight, sameSeen = sameCamera && samePattern(block_, views.block);
 
     Motion now;
     if (!(sameCamera && sameLight && texels_ == texels)) {
@@ -53,22 +76,27 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
                                    : std::make_shared<std::vector<TriangleMotion>>(count);
         auto inMap = sameViews ? std::make_shared<std::vector<shared::SweptBounds>>(*last_.inMap)
                                : std::make_shared<std::vector<shared::SweptBounds>>(count);
-        for (std::uint32_t id = 0; id < count; ++id) {
-            const std::size_t at = std::size_t{id} * TRIANGLE_POSITION_TEXELS;
-            const bool samePlace =
-                !first && (texels_ == texels || std::memcmp(&texels_->positions[at], &texels->positions[at],
-                                                            TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
-            if (samePlace && sameViews) continue;
-            TriangleMotion& motion = (*triangles)[id];
-            motion = motionOf(texels->positions, id, views, (*inMap)[id]);
-            ++now.reclassified;
-            if (first) continue;
-            const TriangleMotion& before = (*last_.triangles)[id];
-            if (isStaticCaster(motion) || isStaticCaster(before))
-                sameCasters = sameCasters && samePlace && isStaticCaster(motion) == isStaticCaster(before);
-            if (isStaticBeforeCamera(motion) || isStaticBeforeCamera(before))
-                sameSeen = sameSeen && samePlace && isStaticBeforeCamera(motion) == isStaticBeforeCamera(before);
-        }
+        std::atomic<std::size_t> reclassified{0};
+        std::atomic<bool> otherCasters{false}, otherSeen{false};
+        forRanges(count, trianglesTogether, [&](std::size_t begin, std::size_t end) {
+            Changes changes;
+            for (std::size_t id = begin; id < end; ++id) {
+                const std::size_t at = id * TRIANGLE_POSITION_TEXELS;
+                const bool samePlace =
+                    !first && (texels_ == texels || std::memcmp(&texels_->positions[at], &texels->positions[at],
+                                                                TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
+                if (samePlace && sameViews) continue;
+                TriangleMotion& motion = (*triangles)[id];
+                motion = motionOf(texels->positions, static_cast<std::uint32_t>(id), views, (*inMap)[id]);
+                changes.add(motion, first ? nullptr : &(*last_.triangles)[id], samePlace);
+            }
+            reclassified += changes.reclassified;
+            if (changes.casters) otherCasters = true;
+            if (changes.seen) otherSeen = true;
+        });
+        now.reclassified = reclassified;
+        sameCasters = sameCasters && !otherCasters;
+        sameSeen = sameSeen && !otherSeen;
         now.triangles = std::move(triangles);
         now.inMap = std::move(inMap);
     } else {

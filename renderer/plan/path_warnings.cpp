@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/parallel.h"
 #include "plan/mesh_texels.h"
 
 namespace timeshade {
@@ -102,32 +103,47 @@ std::string named(const Farthest& farthest, const InnerMotion& inner, const char
     return fmt::format("{} and {} more {} {}", name, more, more == 1 ? "thing" : "things", verbOfMany);
 }
 
-void addThings(const FramePlan& plan, const InnerMotion& inner, std::vector<PathWarning>& warnings) {
-    Farthest bent, jumped;
-    std::vector<Apart> points;
-    struct Views {
-        Projector picture, map;
-    };
-    std::map<double, Views> views;  // few instants, many things
+/// As many groups as are worth a thread.
+constexpr std::size_t groupsTogether = 64;
+
+struct ViewsAtInstant {
+    Projector picture, map;
+};
+
+/// Where the group's vertices are and are drawn; none where that is the same for all.
+std::vector<Apart> pointsApart(const FramePlan& plan, const InnerMotion& inner, const InnerMotion::Group& group) {
     const std::vector<glm::dvec3>&open = plan.mesh->positionsOpen, &close = plan.mesh->positionsClose;
-    for (const InnerMotion::Group& group : inner.groups) {
-        points.clear();
-        bool apart = false;
-        for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-            const std::uint32_t v = inner.vertices[i];
-            const glm::dvec3 straight = open[v] == close[v] ? open[v] : glm::mix(open[v], close[v], group.u);
-            points.push_back({inner.positions[i] - plan.origin, straight - plan.origin});
-            apart = apart || inner.positions[i] != straight;
-        }
-        if (!apart) continue;
-        auto at = views.find(group.u);
-        if (at == views.end())
-            at = views
-                     .emplace(group.u, Views{{plan.camera, between(plan.camera.open, plan.camera.close, group.u)},
-                                             {plan.light, between(plan.light.open, plan.light.close, group.u)}})
-                     .first;
-        (group.jumped ? jumped : bent)
-            .add(distanceIn(at->second.picture, points), distanceIn(at->second.map, points), group.u, group.thing);
+    std::vector<Apart> points;
+    points.reserve(group.count);
+    bool apart = false;
+    for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
+        const std::uint32_t v = inner.vertices[i];
+        const glm::dvec3 straight = open[v] == close[v] ? open[v] : glm::mix(open[v], close[v], group.u);
+        points.push_back({inner.positions[i] - plan.origin, straight - plan.origin});
+        apart = apart || inner.positions[i] != straight;
+    }
+    if (!apart) points.clear();
+    return points;
+}
+
+void addThings(const FramePlan& plan, const InnerMotion& inner, std::vector<PathWarning>& warnings) {
+    std::map<double, ViewsAtInstant> views;  // few instants, many things
+    for (const InnerMotion::Group& group : inner.groups)
+        if (!views.contains(group.u))
+            views.emplace(group.u, ViewsAtInstant{{plan.camera, between(plan.camera.open, plan.camera.close, group.u)},
+                                                  {plan.light, between(plan.light.open, plan.light.close, group.u)}});
+    std::vector<glm::dvec2> distances(inner.groups.size(), glm::dvec2(0.0));
+    forEachOf(inner.groups.size(), groupsTogether, [&](std::size_t i) {
+        const InnerMotion::Group& group = inner.groups[i];
+        const std::vector<Apart> points = pointsApart(plan, inner, group);
+        if (points.empty()) return;
+        const ViewsAtInstant& at = views.at(group.u);
+        distances[i] = {distanceIn(at.picture, points), distanceIn(at.map, points)};
+    });
+    Farthest bent, jumped;
+    for (std::size_t i = 0; i < inner.groups.size(); ++i) {
+        const InnerMotion::Group& group = inner.groups[i];
+        (group.jumped ? jumped : bent).add(distances[i].x, distances[i].y, group.u, group.thing);
     }
     if (!bent.things.empty()) {
         const double turn = plan.mesh->largestTurnDegrees;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/parallel.h"
+
 namespace timeshade::gltf {
 
 namespace {
@@ -72,6 +74,9 @@ glm::dmat4x3 blended(const Geometry& geometry, std::span<const glm::dmat4x3> joi
     return total > 0.0 ? sum : rigid;
 }
 
+/// As many as are worth a thread.
+constexpr std::size_t verticesTogether = 1024;
+
 }  // namespace
 
 std::vector<glm::dmat4x3> jointMatrices(const SkinBinding& skin, const Pose& pose) {
@@ -90,7 +95,7 @@ void deform(const Instance& instance, const Pose& pose, std::span<const glm::dma
     const glm::dmat4x3 rigid(pose.worldFromNode[node]);
     const NormalMatrix rigidNormals(rigid);
     const bool skinned = !joints.empty() && !geometry.jointSets.empty();
-    for (std::size_t v = 0; v < geometry.positions.size(); ++v) {
+    forEachOf(geometry.positions.size(), verticesTogether, [&](std::size_t v) {
         const Vertex vertex = morphed(geometry, morphs, v);
         if (skinned) {
             const glm::dmat4x3 world = blended(geometry, joints, rigid, v);
@@ -100,7 +105,7 @@ void deform(const Instance& instance, const Pose& pose, std::span<const glm::dma
             positions[v] = transformed(rigid, vertex.position);
             normals[v] = rigidNormals(vertex.normal, geometry.normals[v]);
         }
-    }
+    });
 }
 
 }  // namespace timeshade::gltf

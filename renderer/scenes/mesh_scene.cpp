@@ -8,16 +8,20 @@
 #include <fmt/format.h>
 
 #include "core/check.h"
+#include "core/parallel.h"
 
 namespace timeshade {
 
 namespace {
 
-void place(const Shape& shape, const RigidPose& pose, std::vector<glm::dvec3>& positions,
-           std::vector<glm::vec3>& normals) {
+/// As many instances as are worth a thread.
+constexpr std::size_t instancesTogether = 64;
+
+/// Writes the shape's vertices from those places on.
+void place(const Shape& shape, const RigidPose& pose, glm::dvec3* positions, glm::vec3* normals) {
     const glm::mat3 turn(pose.axes);
-    for (const glm::dvec3& position : shape.positions) positions.push_back(pose.axes * position + pose.position);
-    for (const glm::vec3& normal : shape.normals) normals.push_back(glm::normalize(turn * normal));
+    for (const glm::dvec3& position : shape.positions) *positions++ = pose.axes * position + pose.position;
+    for (const glm::vec3& normal : shape.normals) *normals++ = glm::normalize(turn * normal);
 }
 
 double turnBetween(const glm::dmat3& from, const glm::dmat3& to) {
@@ -53,8 +57,11 @@ MeshScene::MeshScene(SceneParts parts)
     for (const MeshInstance& instance : parts_.instances) CHECK_LT(instance.material, parts_.materials.size());
     for (const auto& [name, pose] : parts_.cameras) cameras_.push_back({name});
     std::map<const Shape*, std::vector<std::uint32_t>> known;
+    std::size_t vertices = 0;
     for (const MeshInstance& instance : parts_.instances) {
         const Shape& shape = *instance.shape;
+        firstVertices_.push_back(vertices);
+        vertices += shape.positions.size();
         const auto [extremes, isNew] = known.try_emplace(&shape);
         if (isNew && instance.motion) {
             std::vector<std::uint32_t> all(shape.positions.size());
@@ -71,21 +78,26 @@ InnerMotion MeshScene::innerMotion(double openSeconds, double closeSeconds) cons
     if (!(closeSeconds > openSeconds)) return inner;
     inner.instants = innerInstants({});
     inner.things = &things_;
-    std::uint32_t firstVertex = 0, number = 0;
-    for (const MeshInstance& instance : parts_.instances) {
+    const std::size_t instants = inner.instants.size();
+    std::vector<RigidPose> poses(parts_.instances.size() * instants);
+    forEachOf(parts_.instances.size(), instancesTogether, [&](std::size_t number) {
+        const MeshInstance& instance = parts_.instances[number];
+        for (std::size_t i = 0; instance.motion && i < instants; ++i)
+            poses[number * instants + i] = instance.motion(clock_.during(openSeconds, closeSeconds, inner.instants[i]));
+    });
+    for (std::uint32_t number = 0; number < parts_.instances.size(); ++number) {
+        const MeshInstance& instance = parts_.instances[number];
         const std::vector<std::uint32_t>& extremes = extremes_[number];
-        for (std::size_t i = 0; instance.motion && i < inner.instants.size(); ++i) {
+        for (std::size_t i = 0; instance.motion && i < instants; ++i) {
             const double u = inner.instants[i];
-            const RigidPose pose = instance.motion(clock_.during(openSeconds, closeSeconds, u));
+            const RigidPose& pose = poses[number * instants + i];
             inner.groups.push_back({number, u, false, static_cast<std::uint32_t>(inner.vertices.size()),
                                     static_cast<std::uint32_t>(extremes.size())});
             for (const std::uint32_t vertex : extremes) {
-                inner.vertices.push_back(firstVertex + vertex);
+                inner.vertices.push_back(static_cast<std::uint32_t>(firstVertices_[number]) + vertex);
                 inner.positions.push_back(pose.axes * instance.shape->positions[vertex] + pose.position);
             }
         }
-        firstVertex += static_cast<std::uint32_t>(instance.shape->positions.size());
-        ++number;
     }
     return inner;
 }
@@ -93,28 +105,31 @@ InnerMotion MeshScene::innerMotion(double openSeconds, double closeSeconds) cons
 MotionMesh MeshScene::motionMesh(double openSeconds, double closeSeconds) const {
     MotionMesh mesh;
     mesh.topology = topology_;
-    for (auto* positions : {&mesh.positionsOpen, &mesh.positionsClose}) positions->reserve(topology_->vertexCount);
-    for (auto* normals : {&mesh.normalsOpen, &mesh.normalsClose}) normals->reserve(topology_->vertexCount);
-    for (const MeshInstance& instance : parts_.instances) {
+    for (auto* positions : {&mesh.positionsOpen, &mesh.positionsClose}) positions->resize(topology_->vertexCount);
+    for (auto* normals : {&mesh.normalsOpen, &mesh.normalsClose}) normals->resize(topology_->vertexCount);
+    std::vector<double> turns(parts_.instances.size(), 0.0);
+    forEachOf(parts_.instances.size(), instancesTogether, [&](std::size_t number) {
+        const MeshInstance& instance = parts_.instances[number];
+        const std::size_t first = firstVertices_[number];
         const auto at = [&](double share) {
             return instance.motion ? instance.motion(clock_.during(openSeconds, closeSeconds, share)) : instance.pose;
         };
         const RigidPose open = at(0.0), close = at(1.0);
-        place(*instance.shape, open, mesh.positionsOpen, mesh.normalsOpen);
-        place(*instance.shape, close, mesh.positionsClose, mesh.normalsClose);
-        if (!instance.motion) continue;
+        place(*instance.shape, open, &mesh.positionsOpen[first], &mesh.normalsOpen[first]);
+        place(*instance.shape, close, &mesh.positionsClose[first], &mesh.normalsClose[first]);
+        if (!instance.motion) return;
         // In steps, because the two ends alone cannot distinguish a full turn from none.
         constexpr int steps = 4;
-        double turn = 0.0;
         glm::dmat3 before = open.axes;
         for (int step = 1; step <= steps; ++step) {
             const glm::dmat3 now = step == steps ? close.axes : at(static_cast<double>(step) / steps).axes;
-            turn += turnBetween(before, now);
+            turns[number] += turnBetween(before, now);
             before = now;
         }
-        // Near 1 the arccosine has an error of some 1e-6 degrees.
+    });
+    // Near 1 the arccosine has an error of some 1e-6 degrees.
+    for (const double turn : turns)
         if (turn > 1e-4) mesh.largestTurnDegrees = std::max(mesh.largestTurnDegrees, turn);
-    }
     return mesh;
 }
 

@@ -22,8 +22,9 @@ struct RigidPose {
 struct MeshInstance {
     std::shared_ptr<const Shape> shape;
     std::uint32_t material = 0;
-    RigidPose pose;                                   ///< of a static instance
-    std::function<RigidPose(double seconds)> motion;  ///< of a moving instance; empty otherwise
+    RigidPose pose;  ///< of a static instance
+    /// Of a moving instance; empty otherwise. Called from several threads at once.
+    std::function<RigidPose(double seconds)> motion;
 };
 
 /// The parts of a computed scene. Cameras and the light, too, must be equal at both ends of the duration.
@@ -68,6 +69,7 @@ class MeshScene final : public Scene {
     std::vector<CameraBookmark> cameras_;
     std::vector<std::string> notes_;
     std::shared_ptr<const MeshTopology> topology_;
+    std::vector<std::size_t> firstVertices_;            ///< of each instance
     std::vector<std::vector<std::uint32_t>> extremes_;  ///< vertices of each moving instance's shape
     std::vector<std::string> things_;
 };
