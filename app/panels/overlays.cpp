@@ -132,6 +132,7 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
          {"drag", "orbit"},
          {"right-drag", "pan (or Shift and drag)"},
          {"wheel", "zoom"},
+         {"Ctrl-drag", "move the light"},
          {"Ctrl-click", "type into a slider"},
          {"Ctrl-C", "copy the command line of this picture"},
          {"Ctrl-S", "save settings"},

@@ -56,7 +56,7 @@ std::optional<std::string> nearestWord(const std::string& word, const std::vecto
 
 std::string didYouMean(const std::string& word, const std::vector<std::string>& known) {
     const std::optional<std::string> meant = nearestWord(word, known);
-    return meant ? "; did you mean " + *meant + "?" : "";
+    return meant ? " (did you mean " + *meant + "?)" : "";
 }
 
 }  // namespace timeshade

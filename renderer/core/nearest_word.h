@@ -12,7 +12,7 @@ namespace timeshade {
 /// word.
 std::optional<std::string> nearestWord(const std::string& word, const std::vector<std::string>& known);
 
-/// "; did you mean tsm?" or nothing, to go behind what is wrong.
+/// " (did you mean tsm?)" or nothing, to go behind what is wrong.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace timeshade

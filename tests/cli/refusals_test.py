@@ -126,7 +126,7 @@ class BadArguments(ProgramTest):
         self.refuse(1, ("--light 2", "cubes"), "shot", "cubes", "-o", "F.png", "--light", "2")
         self.refuse(1, ("--ground on", "cubes"), "shot", "cubes", "-o", "F.png", "--ground", "on")
         self.refuse(1, ("--ground on", "case:"), "shot", "case:static_all", "-o", "F.png", "--ground", "on")
-        self.refuse(1, ('"lamp"', "it has"), *SHOT, "--light", "lamp")
+        self.refuse(1, ('"candle"', "it has: lamp"), *SHOT, "--light", "candle")
 
     def test_what_was_meant(self):
         self.refuse_usage(("did you mean --technique?", "timeshade help shot"), *SHOT, "--techniqe", "tsm")

@@ -30,7 +30,7 @@ TEST(NearestWord, IsNoneWhereNothingIsNear) {
 }
 
 TEST(NearestWord, IsAQuestion) {
-    EXPECT_EQ(didYouMean("prcise", names), "; did you mean precise?");
+    EXPECT_EQ(didYouMean("prcise", names), " (did you mean precise?)");
     EXPECT_EQ(didYouMean("nonsense", names), "");
 }
 
