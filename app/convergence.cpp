@@ -93,7 +93,7 @@ std::string sceneSection(FrameRenderer& renderer, const MeasureOptions& options,
                          const std::vector<int>& frames, std::vector<ConvergenceCurve> curves) {
     requireStrata(options, "--convergence");
     requireOneMotionStep(options, "--convergence");
-    const std::unique_ptr<Scene> scene = openScene(name, options.clip, options.settings);
+    const std::unique_ptr<Scene> scene = openScene(name, choiceOf(options), options.settings);
     FramePlanner planner(*scene);
     FrameRequest request = requestFor(options, *scene);
     // Held still: with a camera that moves within the shutter no pixel would have one true value.

@@ -48,7 +48,7 @@ int runEffects(const MeasureOptions& options) {
     for (const std::string& name : names) {
         requireStrata(options, "--effects");
         requireOneMotionStep(options, "--effects");
-        const std::unique_ptr<Scene> scene = openScene(name, options.clip, options.settings);
+        const std::unique_ptr<Scene> scene = openScene(name, choiceOf(options), options.settings);
         const FrameRequest request = requestFor(options, *scene);
         std::optional<Progress> progress;
         effects.progress = [&](int done, int total) {

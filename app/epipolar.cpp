@@ -59,7 +59,7 @@ int runEpipolar(const EpipolarOptions& options) {
     requireOneMotionStep(options, "the epipolar view");
     requireWritable(options.output);
     if (!options.json.empty()) requireWritable(options.json);
-    const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
+    const std::unique_ptr<Scene> scene = openScene(options.scene, choiceOf(options), options.settings);
     const FrameRequest given = requestFor(options, *scene);
     for (const std::string& note : scene->notes()) tellNote(note);
     const HeadlessGl opengl(options);

@@ -63,7 +63,7 @@ int runEqual(const MeasureOptions& options) {
     std::vector<std::unique_ptr<Scene>> opened;  // all of them first: a wrong name costs no measurement
     std::vector<SweepScene> scenes;
     for (const std::string& name : names) {
-        opened.push_back(openScene(name, options.clip, options.settings));
+        opened.push_back(openScene(name, choiceOf(options), options.settings));
         scenes.push_back({name, opened.back().get(), "", 0.0, requestFor(options, *opened.back())});
     }
     const EqualOptions equal = equalOptionsOf(options);

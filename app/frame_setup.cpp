@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "options/light_options.h"
 #include "standard_error.h"
 #include "techniques/registry.h"
 
@@ -40,6 +41,9 @@ FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
     request.frame = options.seconds ? *options.seconds * request.shutter.framesPerSecond
                                     : options.frame.value_or(scene.defaults().frame);
     request.cameraPose = options.pose;
+    requireLightHas(lightAtOwnFrame(scene), options.light, scene.name());
+    request.light = options.light;
+    request.look = options.look;
     if (options.camera.empty()) return request;
     std::string known;
     for (std::size_t i = 0; i < scene.cameras().size(); ++i) {
@@ -54,6 +58,8 @@ FrameRequest requestOfShutter(const FrameOptions& options, const Scene& scene) {
 }
 
 }  // namespace
+
+SceneChoice choiceOf(const FrameOptions& options) { return {options.clip, options.lightName, options.ground}; }
 
 FrameRequest requestFor(const FrameOptions& options, const Scene& scene) {
     const FrameRequest request = requestOfShutter(options, scene);

@@ -6,6 +6,7 @@
 #include "options/technique_options.h"
 #include "plan/frame_request.h"
 #include "scene/scene.h"
+#include "scene_catalogue.h"
 #include "technique/technique.h"
 
 namespace timeshade {
@@ -15,6 +16,9 @@ namespace timeshade {
 void requireStrata(const FrameOptions& options, const std::string& what);
 /// Likewise for what takes a shutter of one linear piece.
 void requireOneMotionStep(const FrameOptions& options, const std::string& what);
+
+/// What the options choose of a file.
+SceneChoice choiceOf(const FrameOptions& options);
 
 /// What the options ask for, with the scene's own defaults where they are silent. Throws UsageError for a camera that
 /// the scene does not have, and for the width of a response that has none.

@@ -43,9 +43,7 @@ WindowOptions windowOptions(const ViewOptions& options, const WindowMemory& memo
         window.width = memory.width;
         window.height = memory.height;
     }
-    // Options start with the size of a headless picture.
-    const FrameOptions defaults;
-    if (options.width != defaults.width || options.height != defaults.height) {
+    if (options.sizeGiven) {  // else it is that of a headless picture
         window.width = options.width;
         window.height = options.height;
     }
@@ -254,7 +252,7 @@ int runInteractive(const ViewOptions& options) {
             "commands)");
     requireStrata(options, "the window");
     if (!options.json.empty()) requireWritable(options.json);
-    std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
+    std::unique_ptr<Scene> scene = openScene(options.scene, choiceOf(options), options.settings);
     const FrameRequest request = requestFor(options, *scene);
 
     MemoryFile memory;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "light_text.h"
 
 namespace timeshade {
 
@@ -128,6 +129,7 @@ std::vector<PictureWord> pictureWords(const PictureOptions& options) {
     if (options.instant) add("instant", fmt::format("{}", *options.instant));
     if (!options.camera.empty()) add("camera", options.camera);
     if (options.pose) add("pose", textOf(*options.pose));
+    addLightWords(options, words);
     if (viewOf(options) != "final") add("view", viewOf(options));
     if (options.compared.size() == 2) {
         add("compare", options.compared[0] + "," + options.compared[1]);
@@ -154,7 +156,8 @@ std::string settingsJson(const PictureOptions& options, const std::string& windo
         const bool plain = key == "spp" || (key == "map" && options.mapSize.isSquare()) || key == "seed" ||
                            key == "frame" || key == "time" || key == "fps" || key == "shutter" ||
                            key == "shutter-width" || key == "seam" || key == "instant" || key == "force-dynamic" ||
-                           key == "no-cache" || key == "motion-steps" || key == "pixel-centres" || key == "time-strata";
+                           key == "no-cache" || key == "motion-steps" || key == "pixel-centres" ||
+                           key == "time-strata" || isNumberOfLight(key);
         json[key] = plain ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);

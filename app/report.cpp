@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "frame/warm_up.h"
+#include "light_text.h"
 #include "measure/map_size_json.h"
 #include "shared/shutter_response.shared.h"
 
@@ -46,6 +47,11 @@ std::vector<PlanLine> explainedLines(const FramePlan& plan, const Technique& tec
     };
     if (plan.request.shutter.response != ShutterResponse::Box)
         lines.push_back({"response", responseWords(plan, technique)});
+    if (const std::string words = inWords(plan.request.light); !words.empty()) lines.push_back({"light", words});
+    if (plan.ground)
+        lines.push_back({"ground", fmt::format("added at the height {:.4g}, {:.4g} wide", plan.ground->centre.y,
+                                               plan.ground->side)});
+    if (const std::string words = inWords(plan.request.look); !words.empty()) lines.push_back({"look", words});
     const MotionSummary& motion = plan.motion;
     lines.push_back({"motion", fmt::format("{} of {} meshes move in the light's frame, {} of them turn or deform; "
                                            "known from the frame before: {} of {} triangles",
@@ -119,6 +125,22 @@ std::string countedOfPositions(const FrameRenderer& renderer) {
                        static_cast<double>(memory.samples + memory.visibility) / positions);
 }
 
+namespace {
+
+/// What is other about the light, the ground and the display than in the scene.
+void addLight(nlohmann::ordered_json& json, const FrameRequest& request, const Scene& scene) {
+    FrameOptions changed;
+    changed.light = request.light;
+    changed.look = request.look;
+    std::vector<std::pair<std::string, std::string>> words;
+    addLightWords(changed, words);
+    for (const auto& [key, value] : words) json["changed"][key] = value;
+    if (scene.chosenLight() < scene.lights().size()) json["light"] = scene.lights()[scene.chosenLight()];
+    if (const auto& ground = scene.ground()) json["ground"] = {{"height", ground->centre.y}, {"size", ground->side}};
+}
+
+}  // namespace
+
 std::string manifest(const FrameRenderer& renderer, Technique& technique, const std::string& sceneName,
                      const Scene& scene, const std::string& backEnd, const std::vector<gl::PassTimer::Reading>& times) {
     const FrameRequest& request = renderer.plan().request;
@@ -163,6 +185,7 @@ std::string manifest(const FrameRenderer& renderer, Technique& technique, const 
         json["shutter_response"] = "gaussian";
         json["shutter_width"] = request.shutter.width;
     }
+    addLight(json, request, scene);
     json["gl"] = {{"back_end", backEnd},
                   {"vendor", renderer.device().vendor},
                   {"renderer", renderer.device().renderer},

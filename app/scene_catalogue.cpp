@@ -4,12 +4,15 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cases/closed_form_cases.h"
 #include "core/data_folder.h"
 #include "core/error.h"
+#include "core/nearest_word.h"
 #include "loading_line.h"
 #include "scene/gltf_scene.h"
+#include "scene/grounded_scene.h"
 #include "scene_memory.h"
 
 namespace timeshade {
@@ -62,40 +65,67 @@ std::unique_ptr<SceneRecipe> recipeFor(const std::string& name, const SettingTex
     return recipe;
 }
 
-std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings) {
-    LoadingLine line(nameOrPath);
-    return openScene(nameOrPath, clip, settings, [&line](const LoadingStep& step) { line.show(step); });
+namespace {
+
+/// Throws Error where something is chosen of a scene that is made here.
+void requireNoChoice(const SceneChoice& choice, const std::string& name) {
+    const std::string rest = fmt::format("scene {} is computed and has", name);
+    if (!choice.clip.empty()) throw Error(fmt::format("--clip {}: {} no clips", choice.clip, rest));
+    if (!choice.light.empty())
+        throw Error(
+            fmt::format("--light {}: {} one light; expected --light-direction and the like", choice.light, rest));
+    if (choice.ground.choice == GroundChoice::On)
+        throw Error(fmt::format("--ground on: {} a ground of its own; expected a .gltf or .glb file", rest));
 }
 
-std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const std::string& clip, const SettingTexts& settings,
+std::unique_ptr<Scene> loadFile(const std::filesystem::path& path, const SceneChoice& choice,
+                                const LoadingWatch& watch) {
+    GltfOptions options;
+    options.clip = choice.clip;
+    options.light = choice.light;
+    options.memoryLimit = sceneMemoryLimit();
+    options.watch = watch;
+    return std::make_unique<GroundedScene>(loadGltf(path, options), choice.ground);
+}
+
+}  // namespace
+
+std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const SceneChoice& choice,
+                                 const SettingTexts& settings) {
+    LoadingLine line(nameOrPath);
+    return openScene(nameOrPath, choice, settings, [&line](const LoadingStep& step) { line.show(step); });
+}
+
+std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const SceneChoice& choice, const SettingTexts& settings,
                                  const LoadingWatch& watch) {
     if (nameOrPath.starts_with("case:")) {
         const ClosedFormCase& c = closedFormCase(nameOrPath.substr(5));
         if (!c.scene)
             throw UsageError(
                 fmt::format("scene '{}': this case has no picture; `timeshade cases` evaluates it", nameOrPath));
+        requireNoChoice(choice, nameOrPath);
         return std::make_unique<ProceduralScene>(*c.scene);
     }
     if (const std::unique_ptr<SceneRecipe> recipe = recipeFor(nameOrPath, settings)) {
-        if (!clip.empty())
-            throw Error(fmt::format("--clip {}: scene {} is computed and has no clips", clip, nameOrPath));
+        requireNoChoice(choice, nameOrPath);
         return recipe->make();
     }
-    GltfOptions options;
-    options.clip = clip;
-    options.memoryLimit = sceneMemoryLimit();
-    options.watch = watch;
-    std::string known;
+    std::vector<std::string> known;
     for (const BuiltInScene& scene : builtInScenes()) {
-        if (scene.name == nameOrPath) return loadGltf(sceneDirectory() / (scene.name + ".glb"), options);
-        known += scene.name + ", ";
+        if (scene.name == nameOrPath) {
+            SceneChoice own = choice;  // they have a ground of their own
+            if (own.ground.choice == GroundChoice::Auto) own.ground.choice = GroundChoice::Off;
+            return loadFile(sceneDirectory() / (scene.name + ".glb"), own, watch);
+        }
+        known.push_back(scene.name);
     }
     const bool isPath =
         nameOrPath.ends_with(".gltf") || nameOrPath.ends_with(".glb") || nameOrPath.find('/') != std::string::npos;
     if (!isPath)
-        throw UsageError(fmt::format(
-            "scene '{}': no such scene; expected {}case:NAME or a path to a .gltf or .glb file", nameOrPath, known));
-    return loadGltf(nameOrPath, options);
+        throw UsageError(
+            fmt::format("scene '{}': no such scene{}; expected {}, case:NAME or a path to a .gltf or .glb file",
+                        nameOrPath, didYouMean(nameOrPath, known), fmt::join(known, ", ")));
+    return loadFile(nameOrPath, choice, watch);
 }
 
 }  // namespace timeshade

@@ -19,17 +19,12 @@
 #include "progress.h"
 #include "report.h"
 #include "scene_catalogue.h"
+#include "shot_output.h"
 #include "standard_error.h"
 
 namespace timeshade {
 
 namespace {
-
-std::filesystem::path pathOfFrame(const std::string& output, int index, int count) {
-    if (count == 1) return output;
-    std::filesystem::path path(output);
-    return path.parent_path() / fmt::format("{}.{:04}{}", path.stem().string(), index, path.extension().string());
-}
 
 /// A technique's view comes with its scale.
 DisplayImage pictureOf(FrameRenderer& renderer) {
@@ -37,11 +32,11 @@ DisplayImage pictureOf(FrameRenderer& renderer) {
     return renderer.techniqueView() ? withScale(picture, *renderer.techniqueView()) : picture;
 }
 
-void write(FrameRenderer& renderer, const std::filesystem::path& path) {
+void write(FrameRenderer& renderer, const ShotOutput& output, const std::filesystem::path& path) {
     if (path.extension() == ".exr")
-        writeExr(path, renderer.readRadiance());
+        output.write(path, renderer.readRadiance());
     else
-        writePng(path, pictureOf(renderer));
+        output.write(path, pictureOf(renderer));
 }
 
 void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& technique, const TechniqueOptions& options) {
@@ -51,9 +46,10 @@ void drawWithProgress(FrameRenderer& renderer, FramePlan plan, Technique& techni
 }
 
 /// The time of the picture, all renders together. A first frame says that programs were compiled in it.
-void sayWritten(const std::filesystem::path& path, double milliseconds, bool compiled, const gl::DeviceInfo& device) {
-    fmt::print("{}  {:.1f} ms{}  {}\n", fullPath(path), milliseconds, compiled ? " with compiling shaders" : "",
-               deviceLine(device));
+void sayWritten(const ShotOutput& output, const std::filesystem::path& path, double milliseconds, bool compiled,
+                const gl::DeviceInfo& device) {
+    output.say(fmt::format("{}  {:.1f} ms{}  {}\n", path == "-" ? "-" : fullPath(path), milliseconds,
+                           compiled ? " with compiling shaders" : "", deviceLine(device)));
 }
 
 constexpr int steadyFrames = 3;  // that `pictures` times; the last of them is the picture
@@ -91,9 +87,9 @@ int runShot(const ShotOptions& options) {
     if (!options.compared.empty() && (options.diagnostic != Diagnostic::None || !options.techniqueView.empty()))
         throw UsageError("--compare: shows light; expected --view final or visibility beside it");
     const int frames = options.frames.value_or(1);
-    for (int i = 0; i < frames; ++i) requireWritable(pathOfFrame(options.output, i, frames));
+    const ShotOutput output(options.output, frames);
     if (!options.json.empty()) requireWritable(options.json);
-    const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
+    const std::unique_ptr<Scene> scene = openScene(options.scene, choiceOf(options), options.settings);
     FrameRequest request = requestFor(options, *scene);
     for (const std::string& note : scene->notes()) tellNote(note);
 
@@ -104,15 +100,15 @@ int runShot(const ShotOptions& options) {
     request = technique->asked(request);
     FramePlanner planner(*scene);
     for (int i = 0; i < frames; ++i, request.frame += 1.0) {
-        if (options.explain && i == 0) fmt::print("{}", explain(planner.plan(request), *technique, renderer.device()));
-        const std::filesystem::path path = pathOfFrame(options.output, i, frames);
+        if (options.explain && i == 0) output.say(explain(planner.plan(request), *technique, renderer.device()));
+        const std::filesystem::path path = output.path(i);
         std::uint64_t compiled = renderer.programs().compiled();
         if (!options.compared.empty()) {
             const ComparedShot shot = drawCompared(renderer, planner, request, options, *scene, opengl.backEnd());
             opengl.requireSilence();
-            writePng(path, shot.picture);
+            output.write(path, shot.picture);
             if (!options.json.empty() && i + 1 == frames) writeFileAtomically(options.json, shot.manifests);
-            sayWritten(path, shot.milliseconds, renderer.programs().compiled() != compiled, renderer.device());
+            sayWritten(output, path, shot.milliseconds, renderer.programs().compiled() != compiled, renderer.device());
             continue;
         }
         drawWarmUp(renderer, planner, *technique, request, options.view);
@@ -125,12 +121,12 @@ int runShot(const ShotOptions& options) {
             diagnostic = drawDiagnostic(renderer, plan, *technique, options.diagnostic);
         const auto times = renderer.timer().finishFrame();
         opengl.requireSilence();
-        if (options.explain && i == 0) fmt::print("{}{}", countedOfPositions(renderer), countedInWords(*technique));
+        if (options.explain && i == 0) output.say(countedOfPositions(renderer) + countedInWords(*technique));
         if (diagnostic)
-            writePng(path, *diagnostic);
+            output.write(path, *diagnostic);
         else
-            write(renderer, path);
-        sayWritten(path, gl::totalOf(times), renderer.programs().compiled() != compiled, renderer.device());
+            write(renderer, output, path);
+        sayWritten(output, path, gl::totalOf(times), renderer.programs().compiled() != compiled, renderer.device());
         if (!options.json.empty() && i + 1 == frames) {
             const std::string text = manifest(renderer, *technique, options.scene, *scene, opengl.backEnd(), times);
             writeFileAtomically(options.json, text);

@@ -39,7 +39,7 @@ void addScenes(const MeasureOptions& options, std::vector<std::unique_ptr<Scene>
     const std::string variedScene = options.variedSetting.substr(0, options.variedSetting.find('.'));
     for (const std::string& name : names) {
         const auto add = [&](const SettingTexts& settings, const std::string& varied, double value) {
-            scenes.push_back(openScene(name, options.clip, settings));
+            scenes.push_back(openScene(name, choiceOf(options), settings));
             sweep.scenes.push_back({name, scenes.back().get(), varied, value, requestFor(options, *scenes.back())});
         };
         if (name != variedScene) add(options.settings, "", 0.0);

@@ -96,7 +96,7 @@ int runVerify(const VerifyOptions& options) {
     }
     if (options.maxPpm) requireStrata(options, "--max-ppm");
     if (!options.json.empty() && options.json != "-") requireWritable(options.json);
-    const std::unique_ptr<Scene> scene = openScene(options.scene, options.clip, options.settings);
+    const std::unique_ptr<Scene> scene = openScene(options.scene, choiceOf(options), options.settings);
     const FrameRequest given = requestFor(options, *scene);
     const HeadlessGl opengl(options);
     FrameRenderer renderer;

@@ -7,6 +7,22 @@ set(data share/timeshade)
 set_target_properties(timeshade PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/timeshade")
 target_link_options(timeshade PRIVATE -Wl,--disable-new-dtags)
 
+# The manual page and what shells complete with: made of the program's own declarations of its options.
+set(help_files)
+function(timeshade_help file arguments)
+  set(path ${PROJECT_BINARY_DIR}/help/${file})
+  add_custom_command(OUTPUT ${path} DEPENDS timeshade VERBATIM
+                     COMMAND sh -c "$<TARGET_FILE:timeshade> help ${arguments} > ${path}.part"
+                     COMMAND ${CMAKE_COMMAND} -E rename ${path}.part ${path})
+  set(help_files ${help_files} ${path} PARENT_SCOPE)
+endfunction()
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/help)
+timeshade_help(timeshade.1 "--man")
+timeshade_help(timeshade.bash "--completion bash")
+timeshade_help(_timeshade "--completion zsh")
+timeshade_help(timeshade.fish "--completion fish")
+add_custom_target(timeshade_help ALL DEPENDS ${help_files})
+
 install(TARGETS timeshade RUNTIME COMPONENT program)
 install(PROGRAMS scripts/gpu_check.sh DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME timeshade-gpu-check COMPONENT program)
 install(DIRECTORY shaders DESTINATION ${data} COMPONENT program)
@@ -16,10 +32,12 @@ install(DIRECTORY renderer/techniques DESTINATION ${data}/renderer COMPONENT pro
         FILES_MATCHING PATTERN page.png)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program FILES_MATCHING PATTERN "*.md")
-install(FILES cmake/package/timeshade.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/help/timeshade.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES cmake/package/timeshade.desktop DESTINATION share/applications COMPONENT program)
-install(FILES cmake/package/completion.bash DESTINATION share/bash-completion/completions RENAME timeshade
+install(FILES ${PROJECT_BINARY_DIR}/help/timeshade.bash DESTINATION share/bash-completion/completions RENAME timeshade
         COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/help/_timeshade DESTINATION share/zsh/site-functions COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/help/timeshade.fish DESTINATION share/fish/vendor_completions.d COMPONENT program)
 
 install(CODE [[
   file(GET_RUNTIME_DEPENDENCIES EXECUTABLES $<TARGET_FILE:timeshade>

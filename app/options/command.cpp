@@ -6,10 +6,15 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <timeshade/commit.h>  // generated
 #include <CLI/CLI.hpp>
 
 #include "core/error.h"
+#include "core/nearest_word.h"
+#include "options/help.h"
+#include "options/help_files.h"
+#include "scene_catalogue.h"
 #include "settings_file.h"
 
 namespace timeshade {
@@ -45,16 +50,64 @@ std::vector<std::string> withSettings(const std::vector<std::string>& arguments,
     return whole;
 }
 
+const std::vector<std::string>& commandNames() {
+    static const std::vector<std::string> names{"view",    "shot",     "record", "pictures", "verify",
+                                                "measure", "epipolar", "cases",  "list"};
+    return names;
+}
+
+bool isCommand(const std::string& word) {
+    return std::find(commandNames().begin(), commandNames().end(), word) != commandNames().end();
+}
+
+/// Neither a command nor anything that could be a scene, but nearly a command.
+void refuseMisspelt(const std::string& word) {
+    if (isCommand(word) || word.starts_with("-") || word.find_first_of("./:") != std::string::npos) return;
+    for (const BuiltInScene& scene : builtInScenes())
+        if (scene.name == word) return;
+    std::vector<std::string> known = commandNames();
+    known.push_back("help");
+    if (const std::optional<std::string> meant = nearestWord(word, known))
+        throw UsageError(fmt::format("'{}': no such command and no scene; did you mean {}? Expected one of {}", word,
+                                     *meant, fmt::join(known, ", ")));
+}
+
+/// `timeshade help` and `timeshade help shot` are `timeshade --help` and `timeshade shot --help`.
+void turnHelp(std::vector<std::string>& arguments) {
+    if (arguments.empty() || arguments.front() != "help") return;
+    if (arguments.size() == 1) {
+        arguments = {"--help"};
+        return;
+    }
+    if (arguments[1].starts_with("--")) return;  // the manual and completion
+    if (!isCommand(arguments[1]))
+        throw UsageError(fmt::format("help {}: no such command{}; expected one of {}", arguments[1],
+                                     didYouMean(arguments[1], commandNames()), fmt::join(commandNames(), ", ")));
+    arguments = {arguments[1], "--help"};
+}
+
 /// `timeshade` alone and `timeshade chess` mean the window.
 void addDefaultCommand(std::vector<std::string>& arguments) {
-    const std::vector<std::string> commands{"view",    "shot",     "record", "pictures", "verify",
-                                            "measure", "epipolar", "cases",  "list"};
-    const bool asks = !arguments.empty() &&
-                      (arguments.front() == "--help" || arguments.front() == "-h" || arguments.front() == "--version");
-    if (asks) return;
-    const bool known =
-        !arguments.empty() && std::find(commands.begin(), commands.end(), arguments.front()) != commands.end();
-    if (!known) arguments.insert(arguments.begin(), "view");
+    turnHelp(arguments);
+    const std::vector<std::string> others{"--help", "-h", "--version", "help"};
+    if (!arguments.empty() && std::find(others.begin(), others.end(), arguments.front()) != others.end()) return;
+    if (!arguments.empty()) refuseMisspelt(arguments.front());
+    if (arguments.empty() || !isCommand(arguments.front())) arguments.insert(arguments.begin(), "view");
+}
+
+/// The first argument that looks like an option and is none of the command's: what may have been meant.
+std::string suggestionFor(const CLI::App& app, const std::vector<std::string>& arguments) {
+    const CLI::App* command =
+        !arguments.empty() && isCommand(arguments.front()) ? app.get_subcommand(arguments.front()) : &app;
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command->get_options())
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    for (const std::string& argument : arguments) {
+        const std::string name = argument.substr(0, argument.find('='));
+        if (name.starts_with("--") && std::find(known.begin(), known.end(), name) == known.end())
+            return didYouMean(name, known);
+    }
+    return "";
 }
 
 void keepCommandLine(Command& command, const std::string& typed) {
@@ -69,6 +122,11 @@ void keepCommandLine(Command& command, const std::string& typed) {
 Command parseArguments(const std::vector<std::string>& given) {
     Command command;
     CLI::App app("A real-time laboratory for motion-blurred shadows", "timeshade");
+    app.formatter(std::make_shared<HelpFormatter>());
+    app.footer(
+        "timeshade help COMMAND, or COMMAND --help, lists a command's options. Without a command the window "
+        "opens.\n\n" +
+        examplesOf("view"));
     app.set_version_flag("--version", "timeshade " TIMESHADE_VERSION " (commit " TIMESHADE_COMMIT ")");
     app.require_subcommand(1);
     app.option_defaults()->delimiter('\0');
@@ -81,13 +139,17 @@ Command parseArguments(const std::vector<std::string>& given) {
     addEpipolarCommand(app, command);
     addCasesCommand(app, command);
     addListCommand(app, command);
+    addHelpCommand(app);
+    for (CLI::App* each : app.get_subcommands({})) each->group("Commands")->footer(examplesOf(each->get_name()));
     std::vector<std::string> arguments(given.rbegin(), given.rend());  // what CLI11 expects of a vector
     try {
         app.parse(arguments);
     } catch (const CLI::Success& success) {
         std::exit(app.exit(success));
     } catch (const CLI::ParseError& error) {
-        throw UsageError(std::string(error.what()) + " (timeshade --help)");
+        const bool known = !given.empty() && isCommand(given.front());
+        throw UsageError(fmt::format("{}{} (timeshade help{})", error.what(), suggestionFor(app, given),
+                                     known ? " " + given.front() : ""));
     }
     if (auto* record = std::get_if<RecordOptions>(&command)) record->arguments = given;
     return command;

@@ -10,17 +10,19 @@
 namespace timeshade {
 
 void declareOptions(CLI::App& app, CompareOptions& options) {
+    app.option_defaults()->group("Comparison");
     app.add_option("--compare", options.compared,
                    "A,B: two techniques in one picture, with settings after colons as in tsm:bias=2,ranges")
         ->delimiter(',')
         ->expected(2)
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    app.add_option("--compare-mode", options.compareMode, "wipe, side, difference")
-        ->transform(oneOf<CompareMode>(
-            {{"wipe", CompareMode::Wipe}, {"side", CompareMode::Side}, {"difference", CompareMode::Difference}}))
-        ->multi_option_policy(lastWins);
+    addChoice<CompareMode>(
+        app, "--compare-mode", options.compareMode,
+        {{"wipe", CompareMode::Wipe}, {"side", CompareMode::Side}, {"difference", CompareMode::Difference}},
+        "wipe, side, difference");
     app.add_option("--seam", options.seam, "where a wipe's seam lies: the share of the width that is the first's")
         ->check(numberFrom(0.0, 1.0))
+        ->capture_default_str()
         ->multi_option_policy(lastWins);
 }
 

@@ -1,9 +1,8 @@
 #include "options/epipolar_options.h"
 
-#include <charconv>
-
 #include "core/error.h"
 #include "options/command_parts.h"
+#include "options/number_list.h"
 
 namespace timeshade {
 
@@ -13,23 +12,6 @@ struct EpipolarReading : CommandReading<EpipolarOptions> {
     std::string line, pixel;
     std::optional<double> row;
 };
-
-/// `count` numbers with commas between them; nothing where the text is anything else.
-template <typename T>
-std::optional<std::vector<T>> numbersIn(const std::string& text, std::size_t count) {
-    std::vector<T> numbers;
-    const char *at = text.data(), *end = at + text.size();
-    for (;;) {
-        T number{};
-        const auto [rest, failure] = std::from_chars(at, end, number);
-        if (failure != std::errc{}) return std::nullopt;
-        numbers.push_back(number);
-        at = rest;
-        if (at == end) break;
-        if (*at++ != ',') return std::nullopt;
-    }
-    return numbers.size() == count ? std::optional(numbers) : std::nullopt;
-}
 
 MapLine lineIn(const std::string& text) {
     const UsageError wrong(

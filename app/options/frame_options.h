@@ -5,6 +5,8 @@
 
 #include "plan/frame_request.h"
 #include "scene/camera.h"
+#include "scene/ground.h"
+#include "scene/light_change.h"
 
 namespace CLI {
 class App;
@@ -15,6 +17,7 @@ namespace timeshade {
 /// One frame of a scene: its moment and shutter, its camera, and how finely it is sampled. Same for every technique.
 struct FrameOptions {
     int width = 640, height = 480;  ///< pixels
+    bool sizeGiven = false;         ///< they are not a command's own
     CameraSamples samples = CameraSamples::Strata;
     int samplesPerPixel = 8;
     int timeStrata = 8;  ///< of interval samples
@@ -30,9 +33,13 @@ struct FrameOptions {
     Looping looping = Looping::Auto;
     ShutterPosition shutterPosition = ShutterPosition::Start;
     ShutterResponse shutterResponse = ShutterResponse::Box;
-    std::optional<double> shutterWidth;          ///< of the Gaussian alone; Shutter's own where not given
-    std::string camera;                          ///< name of one of the scene's cameras; empty for the first
-    std::optional<CameraPose> pose;              ///< instead: a static camera of one's own
+    std::optional<double> shutterWidth;  ///< of the Gaussian alone; Shutter's own where not given
+    std::string camera;                  ///< name of one of the scene's cameras; empty for the first
+    std::optional<CameraPose> pose;      ///< instead: a static camera of one's own
+    std::string lightName;               ///< as GltfOptions::light; empty for the usual one
+    LightChange light;
+    GroundSettings ground;
+    DisplayLook look;
     bool pixelCentres = false;                   ///< camera samples at pixel centres
     bool forceDynamic = false, noCache = false;  ///< yardsticks for what the plan and the caches save
 };

@@ -54,13 +54,15 @@ CLI::Option* declareSweep(CLI::App& measure, MeasureOptions& options) {
         ->check(mapSizeText());
     measure
         .add_option("--rounds", options.rounds, "how often each point is timed, interleaved, each with its own seed")
-        ->check(numberFrom(2, 1000));
+        ->check(numberFrom(2, 1000))
+        ->capture_default_str();
     measure
         .add_option("--sequence", options.sequenceFrames,
                     "frames of a sequence to time in each round (default: one), with rows for caches that fill")
         ->check(numberFrom(1, 1000));
     measure.add_option("--reference", options.referenceSamples, "samples per pixel of the reference")
-        ->check(numberFrom(1, 65536));
+        ->check(numberFrom(1, 65536))
+        ->capture_default_str();
     measure
         .add_option("--reference-rays", options.referenceRays,
                     "rays per pixel of the converged visibility that shadow errors are measured against (cached "

@@ -8,6 +8,7 @@ namespace timeshade {
 void declareSamples(CLI::App& app, int& samplesPerPixel) {
     app.add_option("--spp", samplesPerPixel, "camera samples per pixel, one per stratum of the shutter")
         ->check(numberFrom(1, maximumSamplesPerPixel))
+        ->capture_default_str()
         ->multi_option_policy(lastWins);
 }
 
@@ -26,6 +27,7 @@ void declareMapSize(CLI::App& app, MapSize& mapSize, const std::string& help) {
     app.add_option_function<std::string>(
            "--map", [&mapSize](const std::string& text) { mapSize = *MapSize::of(text); }, help)
         ->check(mapSizeText())
+        ->default_str(mapSize.text())
         ->multi_option_policy(lastWins);
 }
 

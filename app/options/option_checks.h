@@ -35,6 +35,14 @@ inline CLI::Validator notEmpty(const std::string& expected) {
         [expected](const std::string& text) { return text.empty() ? "'' given, expected " + expected : ""; }, "");
 }
 
+/// The words with bars between them: what kind of value an option takes, for help and completion.
+template <typename Enum>
+std::string wordsOf(const std::vector<std::pair<std::string, Enum>>& words) {
+    std::string all;
+    for (const auto& [word, value] : words) all += (all.empty() ? "" : "|") + word;
+    return all;
+}
+
 /// Replaces a word by its enumerator's number, which is how CLI11 reads enumerations.
 template <typename Enum>
 CLI::Validator oneOf(const std::vector<std::pair<std::string, Enum>>& words) {
@@ -50,7 +58,17 @@ CLI::Validator oneOf(const std::vector<std::pair<std::string, Enum>>& words) {
             }
             return fmt::format("'{}' given, expected one of {}", text, known);
         },
-        "");
+        wordsOf(words));
+}
+
+/// An option of which the last one counts.
+template <typename Enum>
+CLI::Option* addChoice(CLI::App& app, const std::string& name, Enum& value,
+                       const std::vector<std::pair<std::string, Enum>>& words, const std::string& help) {
+    CLI::Option* option = app.add_option(name, value, help)->transform(oneOf<Enum>(words));
+    for (const auto& [word, meaning] : words)
+        if (meaning == value) option->default_str(word);
+    return option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 /// Of an option that stands in a settings file and on the command line, or twice, the last counts.

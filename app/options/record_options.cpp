@@ -20,7 +20,8 @@ void declareVideo(CLI::App& record, RecordOptions& options) {
         ->transform(
             oneOf<VideoCodec>({{"h264", VideoCodec::H264}, {"hevc", VideoCodec::Hevc}, {"av1", VideoCodec::Av1}}));
     record.add_option("--quality", options.quality, "0 to 51, less is better and larger (the encoder's CRF)")
-        ->check(numberFrom(0, 51));
+        ->check(numberFrom(0, 51))
+        ->capture_default_str();
 }
 
 }  // namespace

@@ -32,12 +32,12 @@ std::uint64_t readMemory(const std::string& text) {
 }  // namespace
 
 void declareContext(CLI::App& app, RunOptions& options) {
-    app.add_option("--context", options.context.kind, "auto, window, egl, osmesa")
-        ->transform(oneOf<ContextKind>({{"auto", ContextKind::Auto},
-                                        {"window", ContextKind::Window},
-                                        {"egl", ContextKind::Egl},
-                                        {"osmesa", ContextKind::OsMesa}}))
-        ->multi_option_policy(lastWins);
+    addChoice<ContextKind>(app, "--context", options.context.kind,
+                           {{"auto", ContextKind::Auto},
+                            {"window", ContextKind::Window},
+                            {"egl", ContextKind::Egl},
+                            {"osmesa", ContextKind::OsMesa}},
+                           "auto, window, egl, osmesa");
     app.add_option("--device", options.context.device, "number of an EGL device (list --devices)")
         ->check(numberFrom(0, 1000))
         ->multi_option_policy(lastWins);
@@ -46,6 +46,7 @@ void declareContext(CLI::App& app, RunOptions& options) {
 }
 
 void declareOptions(CLI::App& app, RunOptions& options) {
+    app.option_defaults()->group("Running");
     declareContext(app, options);
     app.add_flag("--explain", options.explain, "print the plan: which passes run, and why");
     app.add_option("--json", options.json, "write a report of the frame")

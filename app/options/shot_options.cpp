@@ -9,9 +9,15 @@ namespace {
 
 void finish(CommandReading<ShotOptions>& read) {
     const std::string& path = read.options.output;
-    const bool known = path.size() > 4 && (path.ends_with(".png") || path.ends_with(".exr"));
-    if (!known) throw UsageError(fmt::format("-o {}: expected a name that ends in .png or .exr", path));
-    checkDrawing(read, {.comparisons = true, .diagnostics = path.ends_with(".png"), .techniqueViews = true}, path);
+    const bool piped = path == "-";
+    const bool known = piped || (path.size() > 4 && (path.ends_with(".png") || path.ends_with(".exr")));
+    if (!known)
+        throw UsageError(
+            fmt::format("-o {}: expected a name that ends in .png or .exr, or - for a PNG to standard output", path));
+    if (piped && read.options.frames.value_or(1) != 1)
+        throw UsageError(fmt::format("--frames {}: standard output takes one picture; expected 1, or -o F.png",
+                                     *read.options.frames));
+    checkDrawing(read, {.comparisons = true, .diagnostics = !path.ends_with(".exr"), .techniqueViews = true}, path);
 }
 
 }  // namespace
@@ -20,7 +26,8 @@ void addShotCommand(CLI::App& app, Command& command) {
     CLI::App* shot = app.add_subcommand("shot", "draw a picture without a window");
     auto reading = std::make_shared<CommandReading<ShotOptions>>();
     declareScene(*shot, reading->options.scene)->required();
-    shot->add_option("-o,--output", reading->options.output, "F.png or F.exr")->required();
+    shot->add_option("-o,--output", reading->options.output, "F.png or F.exr; - for a PNG to standard output")
+        ->required();
     shot->add_option("--frames", reading->options.frames, "number of frames to draw, one file each (F.0000.png, ...)")
         ->check(numberFrom(1, 100000));
     declareDrawing(*shot, *reading);

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "core/error.h"
+#include "core/nearest_word.h"
 #include "frame_setup.h"
 #include "options/option_checks.h"
 #include "scenes/scene_recipe.h"
@@ -35,14 +37,14 @@ std::pair<std::string, std::string> settingOf(const std::string& text) {
 }
 
 std::unique_ptr<Technique> techniqueOfSetting(const std::string& name, gl::ProgramCache& programs) {
-    std::string known;
+    std::vector<std::string> known;
     for (const TechniqueDescription& technique : techniqueDescriptions()) {
         if (technique.name == name) return makeTechnique(name, programs);
-        known += technique.name + ", ";
+        known.push_back(technique.name);
     }
-    for (const RecipeDescription& recipe : recipeDescriptions())
-        known += recipe.name + (&recipe == &recipeDescriptions().back() ? "" : ", ");
-    throw UsageError(fmt::format("--set: '{}' is no technique and no computed scene; expected one of {}", name, known));
+    for (const RecipeDescription& recipe : recipeDescriptions()) known.push_back(recipe.name);
+    throw UsageError(fmt::format("--set: '{}' is no technique and no computed scene{}; expected one of {}", name,
+                                 didYouMean(name, known), fmt::join(known, ", ")));
 }
 
 }  // namespace
@@ -58,13 +60,17 @@ void declareSettings(CLI::App& app, SettingTexts& settings, const std::string& h
 }
 
 void declareOptions(CLI::App& app, TechniqueOptions& options, std::string& viewName) {
-    app.add_option("--technique", options.technique, techniquesInWords())->multi_option_policy(lastWins);
+    app.option_defaults()->group("Technique and view");
+    app.add_option("--technique", options.technique, techniquesInWords())
+        ->capture_default_str()
+        ->multi_option_policy(lastWins);
     declareSettings(app, options.settings,
                     "NAME.KEY=VALUE of a technique or a computed scene, as in tsm.bias=0.5 or cubes.count=2000, "
                     "repeatable (list shows the keys)");
     app.add_option("--view", viewName,
                    "final, visibility, or one of the technique's own (list shows them); for shot also error (against a "
                    "ray-traced reference) and disagreement")
+        ->capture_default_str()
         ->multi_option_policy(lastWins);
 }
 

@@ -22,6 +22,8 @@ void drawScenePanel(Session& session, Widgets& widgets);
 void drawTechniquePanel(Session& session, Widgets& widgets);
 void drawSamplingPanel(Session& session, Widgets& widgets);
 void drawViewPanel(Session& session, Widgets& widgets);
+void drawLightPanel(Session& session, Widgets& widgets);
+void drawGroundPanel(Session& session, Widgets& widgets);
 void drawCameraPanel(Session& session, Widgets& widgets);
 void drawTimesPanel(Session& session, Widgets& widgets);
 void drawAccuracyPanel(Session& session, Widgets& widgets);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "frame_setup.h"
 #include "panels/panels.h"
 #include "panels/setting_controls.h"
 #include "panels/theme.h"
@@ -28,7 +29,10 @@ void drawClipList(Session& session, Widgets& widgets) {
     if (clips.size() < 2) return;
     const auto chosen = widgets.combo("scene.clip", "Clip", clips, session.scene.current().clip(),
                                       "Which of the file's animations plays.");
-    if (chosen && *chosen != session.scene.current().clip()) session.requests.clip = clips[*chosen];
+    if (!chosen || *chosen == session.scene.current().clip()) return;
+    SceneChoice choice = choiceOf(session.options);
+    choice.clip = clips[*chosen];
+    session.requests.choice = choice;
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ void drawSidePanel(Session& session, Widgets& widgets, const Area& area) {
         drawSamplingPanel(session, widgets);
         drawTimePanel(session, widgets);
         drawViewPanel(session, widgets);
+        drawLightPanel(session, widgets);
+        drawGroundPanel(session, widgets);
         drawCameraPanel(session, widgets);
         drawTimesPanel(session, widgets);
         drawAccuracyPanel(session, widgets);

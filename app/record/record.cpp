@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "frame_setup.h"
 #include "headless.h"
 #include "headless_gl.h"
 #include "measure/map_size_json.h"
@@ -38,9 +39,9 @@ std::vector<ReadyPart> readyParts(const std::vector<ScriptPart>& parts, FrameRen
     for (const ScriptPart& part : parts) {
         const ScriptPart* last = ready.empty() ? nullptr : ready.back().part;
         const bool same = last != nullptr && last->drawn.scene == part.drawn.scene &&
-                          last->drawn.clip == part.drawn.clip && last->drawn.settings == part.drawn.settings;
+                          choiceOf(last->drawn) == choiceOf(part.drawn) && last->drawn.settings == part.drawn.settings;
         std::shared_ptr<const Scene> scene =
-            same ? ready.back().scene : openScene(part.drawn.scene, part.drawn.clip, part.drawn.settings);
+            same ? ready.back().scene : openScene(part.drawn.scene, choiceOf(part.drawn), part.drawn.settings);
         if (!same)
             for (const std::string& note : scene->notes()) tellNote(note);
         auto painter = std::make_unique<PartPainter>(renderer, part, *scene, text);

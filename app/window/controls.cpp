@@ -103,6 +103,16 @@ void pickPixel(Session& session, const Area& picture) {
         session.probe.pick(x, y);
 }
 
+/// Around the scene's centre: to the right as seen from the camera, and up.
+void moveLight(Session& session, double dx, double dy) {
+    const Scene& scene = session.scene.current();
+    LightChange& light = session.moment.request.light;
+    LightDirection direction = light.direction.value_or(directionOf(lightAtOwnFrame(scene), scene.bounds().centre()));
+    direction.azimuth = std::remainder(direction.azimuth + glm::degrees(radiansPerHeight) * dx, 360.0);
+    direction.elevation = std::clamp(direction.elevation - glm::degrees(radiansPerHeight) * dy, -90.0, 90.0);
+    light.direction = direction;
+}
+
 }  // namespace
 
 void PictureMouse::apply(Session& session, const Area& picture) {
@@ -121,14 +131,17 @@ void PictureMouse::apply(Session& session, const Area& picture) {
         movingSeam_ = true;
     else if (pressed && !io.WantCaptureMouse)
         dragging_ = true;
-    if (!down) dragging_ = movingSeam_ = false;
+    if (pressed && dragging_) movingLight_ = io.KeyCtrl && ImGui::IsMouseClicked(0);
+    if (!down) dragging_ = movingSeam_ = movingLight_ = false;
     if (movingSeam_)
         comparison.seam =
             std::clamp(static_cast<double>((io.MousePos.x - picture.position.x) / picture.size.x), 0.0, 1.0);
     const double height = std::max(1.0, static_cast<double>(picture.size.y));
     const double dx = static_cast<double>(io.MouseDelta.x) / height, dy = static_cast<double>(io.MouseDelta.y) / height;
     if (dragging_ && !pressed && (dx != 0.0 || dy != 0.0)) {
-        if (io.MouseDown[0] && !io.KeyShift)
+        if (movingLight_)
+            moveLight(session, dx, dy);
+        else if (io.MouseDown[0] && !io.KeyShift)
             session.camera.take(session.scene.current(), session.moment)
                 .orbit(-radiansPerHeight * dx, radiansPerHeight * dy);
         else

@@ -9,7 +9,8 @@ namespace timeshade {
 /// Does what the keys say. True when the window is to close.
 bool applyKeys(Session& session, const std::vector<KeyPress>& keys);
 
-/// The mouse over the picture: the seam of a wipe, orbit, pan, zoom. Knows whether a drag began there.
+/// The mouse over the picture: the seam of a wipe, orbit, pan, zoom, and with Ctrl the light. Knows whether a drag
+/// began there.
 class PictureMouse {
   public:
     void apply(Session& session, const Area& picture);
@@ -18,6 +19,7 @@ class PictureMouse {
   private:
     bool dragging_ = false;
     bool movingSeam_ = false;
+    bool movingLight_ = false;
 };
 
 }  // namespace timeshade

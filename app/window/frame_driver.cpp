@@ -32,7 +32,7 @@ std::vector<double> methodKeyOf(const FrameDriver::Wanted& wanted) {
 std::vector<double> frameKeyOf(const FrameDriver::Wanted& wanted) {
     std::vector<double> key = momentKeyOf(wanted.request);
     key.insert(key.end(), {double(wanted.view), double(wanted.request.seed), double(wanted.request.pixelCentres),
-                           double(wanted.shaders)});
+                           double(wanted.shaders), wanted.request.look.exposure, double(wanted.request.look.toneMap)});
     return key;
 }
 

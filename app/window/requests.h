@@ -3,12 +3,15 @@
 #include <optional>
 #include <string>
 
+#include "scene_catalogue.h"
+
 namespace timeshade {
 
 /// What panels and keys ask for. It is done between two frames, when nobody refers to what it replaces.
 struct Requests {
-    std::optional<std::string> scene;  ///< a name or a path
-    std::optional<std::string> clip;   ///< of the scene that is shown
+    std::optional<std::string> scene;   ///< a name or a path
+    std::optional<SceneChoice> choice;  ///< of the file that is shown: another clip or light
+    std::optional<GroundSettings> ground;
     std::optional<std::string> technique;
     std::optional<std::string> comparison;  ///< a technique to compare with; empty for none
     std::optional<std::string> load;        ///< path of a settings file

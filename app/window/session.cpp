@@ -50,7 +50,7 @@ void Session::openScene(const std::string& name) {
         return;
     }
     load(
-        name, [name](const LoadingWatch& watch) { return timeshade::openScene(name, "", {}, watch); },
+        name, [name](const LoadingWatch& watch) { return timeshade::openScene(name, SceneChoice{}, {}, watch); },
         [this, name](std::unique_ptr<Scene> opened) { showOther(std::move(opened), name); });
 }
 
@@ -73,6 +73,9 @@ void Session::showOther(std::unique_ptr<Scene> opened, const std::string& name) 
     options.camera.clear();
     options.pose.reset();
     options.clip.clear();
+    options.lightName.clear();
+    options.light = {};
+    options.ground = {};
     options.framesPerSecond.reset();
     options.shutterLength.reset();
     keepPicture();
@@ -93,24 +96,32 @@ void Session::keepPicture() {
     options.pixelCentres = request.pixelCentres;
     options.motionSteps = request.motionSteps;
     options.looping = request.looping;
+    options.look = request.look;
     options.instant = moment.instant;
     options.shutterPosition = request.shutter.position;
     setResponse(options, request.shutter);
 }
 
-void Session::openClip(const std::string& name) {
+void Session::openChoice(const SceneChoice& choice) {
     load(
         scene.name(),
-        [sceneName = scene.name(), name](const LoadingWatch& watch) {
-            return timeshade::openScene(sceneName, name, {}, watch);
+        [sceneName = scene.name(), choice](const LoadingWatch& watch) {
+            return timeshade::openScene(sceneName, choice, {}, watch);
         },
-        [this, name](std::unique_ptr<Scene> opened) { showClip(std::move(opened), name); });
+        [this, choice](std::unique_ptr<Scene> opened) { showChoice(std::move(opened), choice); });
 }
 
-void Session::showClip(std::unique_ptr<Scene> opened, const std::string& name) {
+void Session::showChoice(std::unique_ptr<Scene> opened, const SceneChoice& choice) {
     options.camera.clear();
     options.pose.reset();
-    options.clip = name;
+    options.clip = choice.clip;
+    options.lightName = choice.light;
+    options.light = moment.request.light;
+    if (opened->light(0.0).kind == LightKind::Directional) {  // what only a spot has
+        options.light.distance.reset();
+        options.light.cone.reset();
+        options.light.move = glm::dvec3(0.0);
+    }
     options.framesPerSecond = moment.request.shutter.framesPerSecond;
     options.shutterLength = moment.request.shutter.length;
     keepPicture();
@@ -122,6 +133,12 @@ void Session::showClip(std::unique_ptr<Scene> opened, const std::string& name) {
     camera.orbit = held;
     moment.request.cameraIndex = std::min(cameraIndex, scene.current().cameras().size() - 1);
     panels.sceneError.clear();
+}
+
+void Session::setGround(const GroundSettings& ground) {
+    options.ground = ground;
+    if (!scene.setGround(ground)) return;
+    invalidateAll();
 }
 
 void Session::reloadShaders() {
@@ -140,7 +157,7 @@ void Session::invalidateAll() {
 
 void Session::become(const PictureOptions& wanted) {
     requireStrata(wanted, "the window");
-    std::unique_ptr<Scene> opened = timeshade::openScene(wanted.scene, wanted.clip, wanted.settings);
+    std::unique_ptr<Scene> opened = timeshade::openScene(wanted.scene, choiceOf(wanted), wanted.settings);
     requestFor(wanted, *opened);  // throws for a camera that is not there
     std::unique_ptr<Technique> made = techniqueFor(wanted, renderer.programs());
     loading.cancel();
@@ -199,14 +216,15 @@ void Session::applyRequests() {
     finishLoading();
     if (requests.scene)
         openScene(*requests.scene);
-    else if (requests.clip)
-        openClip(*requests.clip);
+    else if (requests.choice)
+        openChoice(*requests.choice);
     else if (requests.rebuild)
         rebuildScene();
     if (requests.technique) technique.choose(*requests.technique, options.settings, renderer.programs());
     applyComparison();
     requests.scene.reset();
-    requests.clip.reset();
+    requests.choice.reset();
+    if (const auto ground = std::exchange(requests.ground, std::nullopt)) setGround(*ground);
     requests.technique.reset();
     requests.comparison.reset();
     requests.rebuild = requests.snapshot = requests.swap = false;

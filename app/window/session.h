@@ -93,13 +93,15 @@ struct Session {
   private:
     void show(std::unique_ptr<Scene> scene, const std::string& name);
     void openScene(const std::string& name);
-    void openClip(const std::string& name);
+    /// The same file with another clip or light.
+    void openChoice(const SceneChoice& choice);
     /// Begins, or shows at once what takes no longer than a moment. `then` makes the window show it.
     void load(const std::string& name, SceneLoading::Load load, std::function<void(std::unique_ptr<Scene>)> then);
     /// Shows what has been loaded meanwhile.
     void finishLoading();
     void showOther(std::unique_ptr<Scene> opened, const std::string& name);
-    void showClip(std::unique_ptr<Scene> opened, const std::string& name);
+    void showChoice(std::unique_ptr<Scene> opened, const SceneChoice& choice);
+    void setGround(const GroundSettings& ground);
     void rebuildScene();
     /// Samples, map and all else that the next scene is to be drawn with, too, into the options.
     void keepPicture();

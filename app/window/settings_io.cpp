@@ -94,6 +94,8 @@ PictureOptions pictureOptions(Session& session) {
     options.shutterPosition = request.shutter.position;
     setResponse(options, request.shutter);
     options.camera = request.cameraIndex == 0 ? "" : session.scene.current().cameras()[request.cameraIndex].name;
+    options.light = request.light;
+    options.look = request.look;
     options.pose.reset();
     if (session.camera.orbit) options.pose = session.camera.orbit->pose();
     options.view = session.view.light;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "options_text.h"
+#include "scene/grounded_scene.h"
 
 namespace timeshade {
 
@@ -28,6 +29,13 @@ void ShownScene::show(std::unique_ptr<Scene> scene, const std::string& name, con
     replace(std::move(scene));
     recipe_ = recipeOf(name, settings);
     name_ = name;
+}
+
+bool ShownScene::setGround(const GroundSettings& ground) {
+    const auto* file = dynamic_cast<const GroundedScene*>(scene_.get());
+    if (file == nullptr) return false;
+    replace(std::make_unique<GroundedScene>(*file, ground));
+    return true;
 }
 
 void ShownScene::rebuild() {

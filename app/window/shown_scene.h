@@ -19,6 +19,8 @@ class ShownScene {
     std::unique_ptr<Scene> computed(const std::string& name, const SettingTexts& settings);
     /// Shows it in place of the one before.
     void show(std::unique_ptr<Scene> scene, const std::string& name, const SettingTexts& settings);
+    /// Shows the scene of a file with another ground. False for a scene that is computed, which has its own.
+    bool setGround(const GroundSettings& ground);
     /// Computes the scene anew from the recipe's settings. Does nothing for a file.
     void rebuild();
     /// Computed scenes have no settings left from before.

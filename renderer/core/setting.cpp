@@ -7,8 +7,10 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "core/nearest_word.h"
 
 namespace timeshade {
 
@@ -89,10 +91,12 @@ void setFromText(HasSettings& owner, const std::string& key, const std::string& 
     const std::string name = owner.settingsPrefix();
     const auto setting = std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
     if (setting == settings.end()) {
-        std::string known;
-        for (const Setting& s : settings) known += (known.empty() ? "" : ", ") + name + "." + s.key;
-        throw UsageError(fmt::format("--set {}.{}: no such setting; expected {}", name, key,
-                                     known.empty() ? "none: it has no settings" : "one of " + known));
+        std::vector<std::string> known;
+        for (const Setting& s : settings) known.push_back(name + "." + s.key);
+        throw UsageError(fmt::format("--set {}.{}: no such setting{}; expected {}", name, key,
+                                     didYouMean(name + "." + key, known),
+                                     known.empty() ? std::string("none: it has no settings")
+                                                   : fmt::format("one of {}", fmt::join(known, ", "))));
     }
     const std::optional<double> value = valueOf(*setting, text);
     if (!value) throw UsageError(fmt::format("--set {}.{}={}: expected {}", name, key, text, expectedBy(*setting)));

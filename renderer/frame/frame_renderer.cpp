@@ -282,7 +282,9 @@ const gl::Texture& FrameRenderer::displayTexture() {
         heatMapPass_.draw(fullscreen_, *values_,
                           {techniqueView_->low, techniqueView_->high, techniqueView_->logarithmic}, *picture_);
     } else {
-        displayPass_.draw(fullscreen_, *radiance_, scaleToWhole(), view_ == View::Final, *picture_);
+        // Visibility is a share of light, shown as it is.
+        const DisplayLook look = view_ == View::Final ? plan_->request.look : DisplayLook{0.0, ToneMap::Linear};
+        displayPass_.draw(fullscreen_, *radiance_, scaleToWhole(), look, *picture_);
     }
     gl::injectErrorForTest("display");
     gl::requireNoErrors(fmt::format("the picture of {}", technique_->description().name));

@@ -2,7 +2,7 @@
 #include "core/error.h"
 #include "core/file_bytes.h"
 #include "image/decoders.h"
-#include "image/image_file.h"
+#include "image/png_bytes.h"
 
 #include <fmt/format.h>
 #include <stb_image_write.h>
@@ -50,7 +50,7 @@ std::vector<char> textChunk(const std::string& keyword, const std::string& text)
 
 }  // namespace
 
-void writePng(const std::filesystem::path& path, const DisplayImage& image, const std::string& note) {
+std::vector<char> pngBytes(const std::filesystem::path& path, const DisplayImage& image, const std::string& note) {
     CHECK_EQ(image.rgb.size(), byteCount(image));
     std::vector<char> bytes;
     if (stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, channels, image.rgb.data(),
@@ -63,7 +63,11 @@ void writePng(const std::filesystem::path& path, const DisplayImage& image, cons
         const std::vector<char> chunk = textChunk("timeshade", note);
         bytes.insert(bytes.begin() + afterHeader, chunk.begin(), chunk.end());
     }
-    writeFileAtomically(path, bytes);
+    return bytes;
+}
+
+void writePng(const std::filesystem::path& path, const DisplayImage& image, const std::string& note) {
+    writeFileAtomically(path, pngBytes(path, image, note));
 }
 
 DisplayImage readPng(const std::filesystem::path& path) {

@@ -110,15 +110,19 @@ std::vector<EffectRow> measureEffects(const Scene& scene, const FrameRequest& re
     FrameRequest forcedDynamic = request, closed = request;
     forcedDynamic.forceDynamic = true;
     closed.shutter.length = 0.0;
+    // The scene is held; a motion that was asked for is the request's.
+    FrameRequest lightHeld = request;
+    lightHeld.light.heldAt =
+        request.shutter.openSeconds(request.frame) * request.shutter.framesPerSecond - scene.defaults().frame;
     add("forced dynamic", options.technique, {}, forcedDynamic);
     add("unchanged", options.technique, {}, request);
     if (asItIs.motion.nonTranslatingInstances > 0)
         add("deformation and turns held", options.technique, {.deformation = true}, request);
     if (asItIs.motion.movingTriangles > 0) add("objects held", options.technique, {.objects = true}, request);
-    if (asItIs.motion.lightMoves) add("light held", options.technique, {.light = true}, request);
+    if (asItIs.motion.lightMoves) add("light held", options.technique, {.light = true}, lightHeld);
     if (asItIs.motion.cameraMoves) add("camera held", options.technique, {.camera = true}, request);
     add("shutter closed", options.technique, {}, closed);
-    add("nothing moves", options.technique, {.objects = true, .light = true, .camera = true}, request);
+    add("nothing moves", options.technique, {.objects = true, .light = true, .camera = true}, lightHeld);
     for (const std::string& technique : options.compared) add("unchanged", technique, {}, request);
     // Interleaved, so that what else the machine does falls on all of them.
     for (int frame = 0; frame < options.frames; ++frame) {

@@ -70,7 +70,8 @@ class SceneMeasurement {
         say("references");
         ReferenceOptions how;
         how.samplesPerPixel = options_.referenceSamples;
-        result.reference = displayed(referenceImage(renderer_, planner_.plan(scene_.request), how, cache_), true);
+        result.reference =
+            displayed(referenceImage(renderer_, planner_.plan(scene_.request), how, cache_), scene_.request.look);
         visibility_ = referenceVisibility(planner_.plan(scene_.request), options_.referenceRays, cache_);
         result.referenceRays = visibility_->rays;
 

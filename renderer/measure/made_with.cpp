@@ -54,17 +54,30 @@ std::string textOf(const Shutter& shutter) {
     return text;
 }
 
+std::string textOf(const LightChange& change) {
+    if (change == LightChange{}) return "";
+    const auto& [direction, distance, cone, intensity, move, turn, rise, heldAt] = change;
+    std::string text =
+        fmt::format(", light times {} moves {} {} {} turns {} {}", intensity, move.x, move.y, move.z, turn, rise);
+    if (direction) text += fmt::format(" from {} {}", direction->azimuth, direction->elevation);
+    if (distance) text += fmt::format(" at {}", *distance);
+    if (cone) text += fmt::format(" cone {}", *cone);
+    if (heldAt) text += fmt::format(" held at {}", *heldAt);
+    return text;
+}
+
 std::string textOf(const FrameRequest& request) {
     const auto& [width, height, source, samples, timeStrata, map, seed, frame, shutter, steps, looping, camera,
-                 forceDynamic, caches, centres, pose] = request;
+                 forceDynamic, caches, centres, pose, light, look] = request;
+    static_cast<void>(look);  // no measurement depends on it
     const std::string intervals =
         source == CameraSamples::Intervals ? fmt::format("intervals in {} strata, ", timeStrata) : "";
     const std::string inSteps = steps == 1 ? "" : fmt::format("in {} steps, ", steps);
     const std::string loop = looping == Looping::Auto ? "" : looping == Looping::On ? "loop on, " : "loop off, ";
-    return fmt::format("{} x {}, {}{} spp, map {}, seed {}, frame {}, shutter {}, {}{}camera {}, {}{}{}pose {}", width,
-                       height, intervals, samples, map.text(), seed, frame, textOf(shutter), inSteps, loop, camera,
-                       forceDynamic ? "force dynamic, " : "", caches ? "" : "no cache, ",
-                       centres ? "pixel centres, " : "", textOf(pose));
+    return fmt::format("{} x {}, {}{} spp, map {}, seed {}, frame {}, shutter {}, {}{}camera {}, {}{}{}pose {}{}",
+                       width, height, intervals, samples, map.text(), seed, frame, textOf(shutter), inSteps, loop,
+                       camera, forceDynamic ? "force dynamic, " : "", caches ? "" : "no cache, ",
+                       centres ? "pixel centres, " : "", textOf(pose), textOf(light));
 }
 
 }  // namespace

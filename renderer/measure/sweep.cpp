@@ -80,7 +80,7 @@ class SceneSweep {
         ReferenceOptions how;
         how.samplesPerPixel = options_.referenceSamples;
         reference_ = referenceImage(renderer_, planFor(subjects.front().point, 0), how, cache_);
-        displayedReference_ = displayed(reference_, true);
+        displayedReference_ = displayed(reference_);
         referenceNoise_ = referenceNoise(renderer_, planner_, scene_.request, reference_, options_.referenceSamples);
         if (options_.referenceRays > 0)
             visibility_ = referenceVisibility(planFor(subjects.front().point, 0), options_.referenceRays, cache_);
@@ -162,7 +162,7 @@ class SceneSweep {
         SweepRow& row = subject.row;
         row.point = subject.point;
         const LinearImage& image = subject.images.front();
-        row.error = compareImages(image, reference_, displayed(image, true), displayedReference_);
+        row.error = compareImages(image, reference_, displayed(image), displayedReference_);
         row.referenceNoise = referenceNoise_;
         row.biasAndNoise = biasAndNoise(subject.images, reference_);
         VerificationOptions how;

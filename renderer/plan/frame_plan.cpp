@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "plan/mesh_texels.h"
 #include "plan/path_warnings.h"
+#include "plan/planned_light.h"
 #include "plan/seen_cutouts.h"
 #include "shared/shutter_response.shared.h"
 
@@ -157,21 +158,6 @@ void fillLight(shared::FrameBlock& block, const FramePlan& plan, double exposure
     block.background = glm::vec4(0.045f, 0.052f, 0.065f, 0.0f);
 }
 
-/// Exposure is fixed per scene, so that files in candela, lux or arbitrary units all look right: a white diffuse
-/// surface at the scene's centre that faces the light at the scene's default frame has radiance 2.6, if the light is
-/// as strong as it ever gets.
-double exposureOf(const Scene& scene) {
-    const LightPose light = scene.light(scene.defaults().frame / scene.defaults().framesPerSecond);
-    const glm::dvec3 path = scene.bounds().centre() - light.position;
-    const double squared = light.kind == LightKind::Directional ? 1.0 : std::max(glm::dot(path, path), 1e-12);
-    double strongest = std::max({light.intensity.x, light.intensity.y, light.intensity.z, 1e-12});
-    for (int i = 0; scene.duration() > 0.0 && i <= 64; ++i) {
-        const glm::dvec3 then = scene.light(scene.duration() * i / 64).intensity;
-        strongest = std::max({strongest, then.x, then.y, then.z});
-    }
-    return 2.6 * 3.14159265358979 * squared / strongest;
-}
-
 /// Counts instances by the strongest motion of any of their triangles.
 void countInstances(const FramePlan& plan, MotionSummary& motion) {
     const MeshTopology& topology = *plan.mesh->topology;
@@ -274,9 +260,16 @@ ShutterTimes shutterTimes(const Scene& scene, const FrameRequest& request, int p
 FramePlanner::FramePlanner(const Scene& scene)
     : scene_(scene),
       origin_(scene.bounds().centre()),
-      exposure_(exposureOf(scene)),
+      exposure_(exposureOf(scene, {})),
       rest_(std::make_shared<const RestPose>(scene)),
       cutouts_(Cutouts::of(scene.materials(), scene.images())) {}
+
+double FramePlanner::exposureFor(const LightChange& change) {
+    if (change.direction != placed_.direction || change.distance != placed_.distance)
+        exposure_ = exposureOf(scene_, change);
+    placed_ = change;
+    return exposure_;
+}
 
 void FramePlanner::deform(Shape& shape, double openSeconds, double closeSeconds) const {
     if (shape.mesh && openSeconds == shape.openSeconds && closeSeconds == shape.closeSeconds) return;
@@ -316,10 +309,11 @@ FramePlan FramePlanner::planPiece(const FrameRequest& request, int piece, int pi
     plan.materials = &scene_.materials();
     plan.images = &scene_.images();
     plan.cutouts = cutouts_;
-    const ShutterEnds<LightPose> light = scene_.lightEnds(open, close);
-    plan.lightOpen = light.open;
-    plan.lightClose = light.close;
-    const LightPose middle = scene_.light(0.5 * (open + close));
+    plan.ground = scene_.ground();
+    const PlannedLight light(scene_, request, {open, close}, piece, pieces);
+    plan.lightOpen = light.ends().open;
+    plan.lightClose = light.ends().close;
+    const LightPose middle = light.middle();
     // Rounding, or a spot that rolls about its axis, is no turn.
     if (glm::length(plan.lightOpen.axes[2] - plan.lightClose.axes[2]) < 1e-9)
         plan.lightOpen.axes = plan.lightClose.axes = middle.axes;
@@ -333,7 +327,7 @@ FramePlan FramePlanner::planPiece(const FrameRequest& request, int piece, int pi
     plan.light = plan.lightOpen.kind == LightKind::Directional ? planDirectionalMap(plan)
                                                                : planSpotMap(plan, scene_.bounds().diagonal());
 
-    fillLight(plan.block, plan, exposure_);
+    fillLight(plan.block, plan, exposureFor(request.light));
     const bool somethingMoves = shape.movingTriangles > 0 || lightMoves(plan) || cameraMoves(plan);
     fillSamples(plan.block, request, somethingMoves);
     plan.block.seed = request.seed;
@@ -353,7 +347,7 @@ FramePlan FramePlanner::planPiece(const FrameRequest& request, int piece, int pi
          fmt::format("{}; {} triangles face away throughout, {} are never in the picture", motionWords(plan.motion),
                      plan.camera.facingAwayTriangles, plan.camera.outsideTriangles),
          seen});
-    plan.pathWarnings = pathWarnings(scene_, plan, shape.inner, {open, close});
+    plan.pathWarnings = pathWarnings(scene_, plan, shape.inner, {open, close}, light);
     if (const std::optional<PathWarning> bent = bentPathWarning(plan)) plan.pathWarnings.push_back(*bent);
     for (const PathWarning& warning : plan.pathWarnings) plan.warnings.push_back(warning.text);
     return plan;

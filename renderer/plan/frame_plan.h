@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,7 @@ struct FramePlan {
     std::vector<FramePlan> pieces;
     const std::vector<Material>* materials = nullptr;  ///< owned by the scene, which must outlive the plan
     const std::vector<Image>* images = nullptr;
+    std::optional<GroundSquare> ground;      ///< that was added to the scene's own things
     std::shared_ptr<const Cutouts> cutouts;  ///< of the materials; null where none is cut out
 };
 
@@ -112,10 +114,12 @@ class FramePlanner {
     FramePlan planPiece(const FrameRequest& request, int piece, int pieces);
     void deform(Shape& shape, double openSeconds, double closeSeconds) const;
     void decideMotion(FramePlan& plan);
+    double exposureFor(const LightChange& change);
 
     const Scene& scene_;
     glm::dvec3 origin_{0.0};
-    double exposure_ = 1.0;
+    double exposure_ = 1.0;  ///< of the light as it is placed by `placed_`
+    LightChange placed_;
     std::shared_ptr<const RestPose> rest_;
     std::shared_ptr<const Cutouts> cutouts_;
     std::vector<Shape> shapes_;  ///< of the pieces of the last frame

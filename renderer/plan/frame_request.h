@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "plan/display_look.h"
 #include "plan/map_size.h"
 #include "scene/camera.h"
+#include "scene/light_change.h"
 #include "scene/looping.h"
 #include "scene/shutter.h"
 
@@ -39,6 +41,8 @@ struct FrameRequest {
     bool pixelCentres =
         false;  ///< camera samples lie at pixel centres, not at one random place of the pixel each; their times stay
     std::optional<CameraPose> cameraPose;  ///< replaces the scene's camera; static during the shutter
+    LightChange light;
+    DisplayLook look;  ///< of what screens show; radiance, and whatever is measured of it, does not know it
 };
 
 /// The times at which the scene is evaluated for the request's frame, or for one of so many pieces of its shutter.

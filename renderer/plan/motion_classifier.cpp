@@ -37,12 +37,10 @@ bool samePattern(const shared::FrameBlock& a, const shared::FrameBlock& b) {
 /// As many as are worth a thread.
 constexpr std::size_t trianglesTogether = 2048;
 
-/// What of some triangles is other than in the frame before.
-struct Changes {
+/// What of some triangles is other than in the frame before; as MotionClassifier::Changes.
+struct ChangesOfSome {
     std::size_t reclassified = 0;
-    bool casters = false;  ///< static casters
-    bool seen = false;     ///< what the camera sees of what stands still
-    bool shading = false;  ///< normals of that
+    bool casters = false, seen = false, shading = false;
 
     /// `before`: null where there is none to compare with.
     void add(const TriangleMotion& motion, const TriangleMotion* before, bool samePlace) {
@@ -63,6 +61,40 @@ struct Changes {
 
 }  // namespace
 
+MotionClassifier::Changes MotionClassifier::classify(const MeshTexels& texels, const FrameViews& views, bool first,
+                                                     bool sameViews, Motion& now) const {
+    const std::size_t count = texels.positions.size() / TRIANGLE_POSITION_TEXELS;
+    auto triangles = sameViews ? std::make_shared<std::vector<TriangleMotion>>(*last_.triangles)
+                               : std::make_shared<std::vector<TriangleMotion>>(count);
+    auto inMap = sameViews ? std::make_shared<std::vector<shared::SweptBounds>>(*last_.inMap)
+                           : std::make_shared<std::vector<shared::SweptBounds>>(count);
+    std::atomic<std::size_t> reclassified{0};
+    std::atomic<bool> casters{false}, seen{false}, shading{false};
+    forRanges(count, trianglesTogether, [&](std::size_t begin, std::size_t end) {
+        ChangesOfSome changes;
+        for (std::size_t id = begin; id < end; ++id) {
+            const std::size_t at = id * TRIANGLE_POSITION_TEXELS;
+            const bool samePlace =
+                !first && (texels_.get() == &texels || std::memcmp(&texels_->positions[at], &texels.positions[at],
+                                                                   TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
+            TriangleMotion& motion = (*triangles)[id];
+            if (!(samePlace && sameViews)) {
+                motion = motionOf(texels.positions, static_cast<std::uint32_t>(id), views, (*inMap)[id]);
+                changes.add(motion, first ? nullptr : &(*last_.triangles)[id], samePlace);
+            }
+            if (samePlace) changes.addShading(motion, *texels_, texels, id);
+        }
+        reclassified += changes.reclassified;
+        if (changes.casters) casters = true;
+        if (changes.seen) seen = true;
+        if (changes.shading) shading = true;
+    });
+    now.reclassified = reclassified;
+    now.triangles = std::move(triangles);
+    now.inMap = std::move(inMap);
+    return {casters, seen, shading};
+}
+
 MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const MeshTexels>& texels,
                                                   const FrameViews& views) {
     const bool first = !texels_ || texels_->positions.size() != texels->positions.size();
@@ -77,41 +109,10 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
 
     Motion now;
     if (!(sameCamera && sameLight && texels_ == texels)) {
-        const std::size_t count = texels->positions.size() / TRIANGLE_POSITION_TEXELS;
-        const bool sameViews = sameCamera && sameLight;
-        auto triangles = sameViews ? std::make_shared<std::vector<TriangleMotion>>(*last_.triangles)
-                                   : std::make_shared<std::vector<TriangleMotion>>(count);
-        auto inMap = sameViews ? std::make_shared<std::vector<shared::SweptBounds>>(*last_.inMap)
-                               : std::make_shared<std::vector<shared::SweptBounds>>(count);
-        std::atomic<std::size_t> reclassified{0};
-        std::atomic<bool> otherCasters{false}, otherSeen{false}, otherShading{false};
-        forRanges(count, trianglesTogether, [&](std::size_t begin, std::size_t end) {
-            Changes changes;
-            for (std::size_t id = begin; id < end; ++id) {
-                const std::size_t at = id * TRIANGLE_POSITION_TEXELS;
-                const bool samePlace =
-                    !first && (texels_ == texels || std::memcmp(&texels_->positions[at], &texels->positions[at],
-                                                                TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
-                if (samePlace && sameViews) {
-                    changes.addShading((*triangles)[id], *texels_, *texels, id);
-                    continue;
-                }
-                TriangleMotion& motion = (*triangles)[id];
-                motion = motionOf(texels->positions, static_cast<std::uint32_t>(id), views, (*inMap)[id]);
-                changes.add(motion, first ? nullptr : &(*last_.triangles)[id], samePlace);
-                if (samePlace) changes.addShading(motion, *texels_, *texels, id);
-            }
-            reclassified += changes.reclassified;
-            if (changes.casters) otherCasters = true;
-            if (changes.seen) otherSeen = true;
-            if (changes.shading) otherShading = true;
-        });
-        now.reclassified = reclassified;
-        sameCasters = sameCasters && !otherCasters;
-        sameSeen = sameSeen && !otherSeen;
-        sameShading = !otherShading;
-        now.triangles = std::move(triangles);
-        now.inMap = std::move(inMap);
+        const Changes changes = classify(*texels, views, first, sameCamera && sameLight, now);
+        sameCasters = sameCasters && !changes.casters;
+        sameSeen = sameSeen && !changes.seen;
+        sameShading = !changes.shading;
     } else {
         now.triangles = last_.triangles;
         now.inMap = last_.inMap;

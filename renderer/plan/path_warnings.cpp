@@ -225,11 +225,13 @@ double lightApart(const FramePlan& plan, const LightPose& actual, double u) {
     return texels;
 }
 
-void addLight(const Scene& scene, const FramePlan& plan, const InnerMotion& inner, const ShutterTimes& times,
+void addLight(const FramePlan& plan, const InnerMotion& inner, const PlannedLight& light,
               std::vector<PathWarning>& warnings) {
+    // A scene in which nothing moves names no instants; its light may move nevertheless.
+    const bool none = inner.instants.empty() && plan.request.light.moves();
     double texels = 0.0;
-    for (const double u : inner.instants)
-        texels = std::max(texels, lightApart(plan, scene.light(secondsAt(times, u)), u));
+    for (const double u : none ? innerInstants({}) : inner.instants)
+        texels = std::max(texels, lightApart(plan, light.at(u), u));
     if (texels > threshold)
         warnings.push_back(
             {PathWarning::Kind::Light, texels,
@@ -242,11 +244,11 @@ void addLight(const Scene& scene, const FramePlan& plan, const InnerMotion& inne
 }  // namespace
 
 std::vector<PathWarning> pathWarnings(const Scene& scene, const FramePlan& plan, const InnerMotion& inner,
-                                      const ShutterTimes& times) {
+                                      const ShutterTimes& times, const PlannedLight& light) {
     std::vector<PathWarning> warnings;
     addThings(plan, inner, warnings);
     addCamera(scene, plan, inner, times, warnings);
-    addLight(scene, plan, inner, times, warnings);
+    addLight(plan, inner, light, warnings);
     return warnings;
 }
 

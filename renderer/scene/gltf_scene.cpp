@@ -56,7 +56,7 @@ struct ClipNames {
 class GltfScene final : public Scene {
   public:
     GltfScene(std::string name, const Model& model, ClipNames clips, NodeMotion motion, Stage stage, Looks looks,
-              std::vector<std::string> notes, const LoadingWatch& watch)
+              std::vector<std::string> notes, const std::string& wantedLight, const LoadingWatch& watch)
         : name_(std::move(name)),
           clips_(std::move(clips)),
           motion_(std::move(motion)),
@@ -70,7 +70,7 @@ class GltfScene final : public Scene {
         moves_ =
             std::any_of(stage_.instances.begin(), stage_.instances.end(), [](const Instance& i) { return i.moves; });
         measure(watch);
-        views_ = readViews(model, motion_.clip(), bounds_, notes_);
+        views_ = readViews(model, motion_.clip(), bounds_, wantedLight, notes_);
         const auto moving = [&](int node) { return node >= 0 && motion_.moves(node); };
         const bool viewsMove = moving(views_.light.node) || !views_.light.tracks.empty() ||
                                std::any_of(views_.cameras.begin(), views_.cameras.end(),
@@ -104,6 +104,8 @@ class GltfScene final : public Scene {
     const Bounds& bounds() const override { return bounds_; }
     const std::vector<std::string>& clips() const override { return clips_.all; }
     std::size_t clip() const override { return clips_.chosen; }
+    const std::vector<std::string>& lights() const override { return views_.lightNames; }
+    std::size_t chosenLight() const override { return views_.chosenLight; }
     const std::vector<std::string>& notes() const override { return notes_; }
 
     CameraPose camera(std::size_t index, double seconds) const override {
@@ -334,12 +336,14 @@ std::unique_ptr<Scene> load(const std::filesystem::path& path, const GltfOptions
     watch({"instances"});
     Stage stage =
         buildStage(model, motion, std::move(geometries), static_cast<std::uint32_t>(looks.materials.size() - 1), notes);
-    auto scene = std::make_unique<GltfScene>(path.stem().string(), model, std::move(clips), std::move(motion),
-                                             std::move(stage), std::move(looks), std::move(notes), watch);
+    auto scene =
+        std::make_unique<GltfScene>(path.stem().string(), model, std::move(clips), std::move(motion), std::move(stage),
+                                    std::move(looks), std::move(notes), options.light, watch);
     std::vector<std::string> defaultNotes;
     const SceneDefaults defaults = readDefaults(document.json, model.scene, scene->duration(), defaultNotes);
     scene->setDefaults(defaults, std::move(defaultNotes));
-    scene->setDigest(toHex(document.digest) + " " + toHex(files.digest()));
+    scene->setDigest(toHex(document.digest) + " " + toHex(files.digest()) +
+                     (options.light.empty() ? "" : " light " + options.light));
     return scene;
 }
 

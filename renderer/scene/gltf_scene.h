@@ -12,7 +12,8 @@
 namespace timeshade {
 
 struct GltfOptions {
-    std::string clip{};  ///< name of the animation to play; empty for the first
+    std::string clip{};   ///< name of the animation to play; empty for the first
+    std::string light{};  ///< name or number (from 1) of the light to use; "fitted" for none; empty for the usual one
     /// Files that need more triangles or vertices, or more bytes of buffers, are refused with an Error.
     std::size_t maxTriangles = 20'000'000;
     std::size_t maxBufferBytes = std::size_t{2} << 30;

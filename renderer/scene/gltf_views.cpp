@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/error.h"
 #include "core/one_line.h"
 #include "scene/fitted_views.h"
 
@@ -18,7 +19,7 @@ namespace {
 constexpr double widestCone = 1.48;       // 85 degrees: see LightPose
 constexpr double pointLightCone = 1.396;  // 80 degrees
 
-/// Makes names of cameras unique: "eye", "eye 2", "eye 3", ...
+/// Makes names of cameras or lights unique: "eye", "eye 2", "eye 3", ...
 class NameList {
   public:
     std::string unused(const std::string& wanted) {
@@ -143,42 +144,83 @@ PlacedLight placed(const Model& model, const Clip& clip, int node, const std::st
     return to;
 }
 
-void readLight(const Model& model, const Clip& clip, const Bounds& bounds, Views& views,
-               std::vector<std::string>& notes) {
-    // Lights with a direction are preferred to point lights, for which one has to be chosen.
-    int chosen = -1;
-    const auto lightOf = [&](int node) -> const Light& {
-        return model.lights[static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(node)].light)];
-    };
-    const auto nameOf = [&](int node) {
-        const std::string& name = model.nodes[static_cast<std::size_t>(node)].name;
-        return !name.empty() ? name : !lightOf(node).name.empty() ? lightOf(node).name : fmt::format("node {}", node);
-    };
-    std::vector<int> all;
-    for (std::size_t n = 0; n < model.nodes.size(); ++n)
-        if (model.nodes[n].inScene && model.nodes[n].light >= 0) all.push_back(static_cast<int>(n));
-    for (const int node : all) {
-        if (!isOfKnownType(lightOf(node)))
-            notes.push_back(
-                fmt::format("light \"{}\" has the type \"{}\" and is left out; expected spot, "
-                            "directional or point",
-                            nameOf(node), oneLine(lightOf(node).type, 30)));
-        if (!usable(lightOf(node), isDriven(clip, model.nodes[static_cast<std::size_t>(node)].light))) continue;
-        if (chosen < 0 || (lightOf(chosen).type == "point" && lightOf(node).type != "point")) chosen = node;
+/// The lights of the shown scene, by node.
+class LightList {
+  public:
+    explicit LightList(const Model& model) : model_(model) {
+        for (std::size_t n = 0; n < model.nodes.size(); ++n)
+            if (model.nodes[n].inScene && model.nodes[n].light >= 0) nodes_.push_back(static_cast<int>(n));
     }
-    if (chosen >= 0)
-        views.light = placed(model, clip, chosen, nameOf(chosen), notes);
-    else
-        views.light.pose = fittedLight(bounds);
 
+    const std::vector<int>& nodes() const { return nodes_; }
+    int numberOf(int node) const { return model_.nodes[static_cast<std::size_t>(node)].light; }
+    const Light& lightOf(int node) const { return model_.lights[static_cast<std::size_t>(numberOf(node))]; }
+    std::string nameOf(int node) const {
+        const std::string& name = model_.nodes[static_cast<std::size_t>(node)].name;
+        return !name.empty() ? name : !lightOf(node).name.empty() ? lightOf(node).name : fmt::format("node {}", node);
+    }
+
+  private:
+    const Model& model_;
+    std::vector<int> nodes_;
+};
+
+/// The one that is used unless another is wanted: lights with a direction are preferred to point lights, for which one
+/// has to be chosen. An index into `usable`; its size for none.
+std::size_t usualLight(const LightList& list, const std::vector<int>& usable) {
+    std::size_t chosen = usable.size();
+    for (std::size_t i = 0; i < usable.size(); ++i)
+        if (chosen == usable.size() ||
+            (list.lightOf(usable[chosen]).type == "point" && list.lightOf(usable[i]).type != "point"))
+            chosen = i;
+    return chosen;
+}
+
+/// By name, or by number where no light has that name. The number of names for "fitted".
+std::size_t wantedLightOf(const std::string& wanted, const std::vector<std::string>& names) {
+    const auto named = std::find(names.begin(), names.end(), wanted);
+    if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
+    if (wanted == "fitted") return names.size();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (wanted == std::to_string(i + 1)) return i;
+    throw Error(fmt::format("has no light \"{}\"; {}", oneLine(wanted),
+                            names.empty() ? std::string("it has none at all, and gets a fitted one")
+                                          : fmt::format("it has: {}", fmt::join(names, ", "))));
+}
+
+void noteRest(const LightList& list, int chosen, std::vector<std::string>& notes) {
     std::vector<std::string> rest;
-    for (const int node : all)
-        if (node != chosen) rest.push_back(nameOf(node));
+    for (const int node : list.nodes())
+        if (node != chosen) rest.push_back(list.nameOf(node));
     if (rest.empty()) return;
     const std::size_t count = rest.size();
     if (count > 8) rest.resize(8);
-    notes.push_back(
-        fmt::format("one light is used; {} left out: {}{}", count, fmt::join(rest, ", "), count > 8 ? ", ..." : ""));
+    notes.push_back(fmt::format("one light is used; {} left out: {}{} (--light)", count, fmt::join(rest, ", "),
+                                count > 8 ? ", ..." : ""));
+}
+
+void readLight(const Model& model, const Clip& clip, const Bounds& bounds, const std::string& wanted, Views& views,
+               std::vector<std::string>& notes) {
+    const LightList list(model);
+    std::vector<int> usableNodes;
+    NameList names;
+    for (const int node : list.nodes()) {
+        if (!isOfKnownType(list.lightOf(node)))
+            notes.push_back(
+                fmt::format("light \"{}\" has the type \"{}\" and is left out; expected spot, "
+                            "directional or point",
+                            list.nameOf(node), oneLine(list.lightOf(node).type, 30)));
+        if (!usable(list.lightOf(node), isDriven(clip, list.numberOf(node)))) continue;
+        usableNodes.push_back(node);
+        views.lightNames.push_back(names.unused(list.nameOf(node)));
+    }
+    views.chosenLight = wanted.empty() ? usualLight(list, usableNodes) : wantedLightOf(wanted, views.lightNames);
+    const int chosen = views.chosenLight < usableNodes.size() ? usableNodes[views.chosenLight] : -1;
+    if (chosen >= 0)
+        views.light = placed(model, clip, chosen, list.nameOf(chosen), notes);
+    else
+        views.light.pose = fittedLight(bounds);
+    noteRest(list, chosen, notes);
 }
 
 }  // namespace
@@ -196,10 +238,11 @@ LightPose PlacedLight::at(const ClipInstant& instant) const {
     return then;
 }
 
-Views readViews(const Model& model, const Clip& clip, const Bounds& bounds, std::vector<std::string>& notes) {
+Views readViews(const Model& model, const Clip& clip, const Bounds& bounds, const std::string& wantedLight,
+                std::vector<std::string>& notes) {
     Views views;
     readCameras(model, bounds, views, notes);
-    readLight(model, clip, bounds, views, notes);
+    readLight(model, clip, bounds, wantedLight, views, notes);
     return views;
 }
 

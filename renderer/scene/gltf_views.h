@@ -30,9 +30,13 @@ struct Views {
     std::vector<CameraBookmark> names;  ///< all different, one per camera
     std::vector<PlacedCamera> cameras;  ///< never empty
     PlacedLight light;
+    std::vector<std::string> lightNames;  ///< all different, one per light of the scene that can be used
+    std::size_t chosenLight = 0;          ///< the number of names where the light is fitted
 };
 
-/// Cameras and the light of the shown scene, or fitted ones where the file has none.
-Views readViews(const Model& model, const Clip& clip, const Bounds& bounds, std::vector<std::string>& notes);
+/// Cameras and the light of the shown scene, or fitted ones where the file has none. `wantedLight` as in GltfOptions;
+/// throws Error where there is no such light.
+Views readViews(const Model& model, const Clip& clip, const Bounds& bounds, const std::string& wantedLight,
+                std::vector<std::string>& notes);
 
 }  // namespace timeshade::gltf

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/ground.h"
 #include "scene/inner_motion.h"
 #include "scene/light.h"
 #include "scene/material.h"
@@ -92,6 +93,17 @@ class Scene {
         return none;
     }
     virtual std::size_t clip() const { return 0; }
+    /// Unique names of the file's lights, and the index of the one that is used; that of none where it is a fitted one.
+    virtual const std::vector<std::string>& lights() const {
+        static const std::vector<std::string> none;
+        return none;
+    }
+    virtual std::size_t chosenLight() const { return 0; }
+    /// The square of ground that was added to the file's things; it lies outside bounds().
+    virtual const std::optional<GroundSquare>& ground() const {
+        static const std::optional<GroundSquare> none;
+        return none;
+    }
     /// Notes for the user, one line each, about parts of the file that are left out or replaced.
     virtual const std::vector<std::string>& notes() const = 0;
     /// Parameters of a computed scene, for reports; empty for a file.

@@ -1,8 +1,10 @@
 #include "techniques/registry.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "core/nearest_word.h"
 #include "technique/technique_entry.h"
 
 namespace timeshade {
@@ -23,12 +25,13 @@ const std::vector<TechniqueEntry>& registry() {
 }
 
 const TechniqueEntry& entryNamed(const std::string& name) {
-    std::string known;
+    std::vector<std::string> known;
     for (const TechniqueEntry& entry : registry()) {
         if (entry.describe().name == name) return entry;
-        known += (known.empty() ? "" : ", ") + entry.describe().name;
+        known.push_back(entry.describe().name);
     }
-    throw UsageError(fmt::format("technique '{}': no such technique; expected one of {}", name, known));
+    throw UsageError(fmt::format("technique '{}': no such technique{}; expected one of {}", name,
+                                 didYouMean(name, known), fmt::join(known, ", ")));
 }
 
 }  // namespace

@@ -14,6 +14,12 @@ SHARED_FUNCTION float filmicCurve(float radiance) {
     return clamp(y, SHARED_FLOAT(0.0), SHARED_FLOAT(1.0));
 }
 
+/// The simplest curve that clips nothing (Reinhard and others 2002, equation 3). Negative input gives 0.
+SHARED_FUNCTION float reinhardCurve(float radiance) {
+    float x = max(radiance, SHARED_FLOAT(0.0));
+    return x / (SHARED_FLOAT(1.0) + x);
+}
+
 /// Linear [0, 1] to the sRGB encoding of IEC 61966-2-1.
 SHARED_FUNCTION float encodeSrgb(float linear) {
     if (linear <= SHARED_FLOAT(0.0031308)) return SHARED_FLOAT(12.92) * linear;

@@ -29,7 +29,8 @@ class BadArguments(ProgramTest):
             "--frames": ("0", "-3", "100001", "2.5", *numbers),
             "--frame": ("1000001", "-1e7", *numbers),
             "--time": ("1000001", "-1e7", *numbers),
-            "--fps": ("0", "-24", "0.01", "1e6", *numbers),
+            "--fps": ("0", "-24", "0.01", "1e6", "24/0", "1/1001", "24000/", "/1001", "24/1/1", "-24/1", "24/1.5",
+                      *numbers),
             "--instant": ("-0.1", "1.1", *numbers),
             "--shutter": ("-0.1", "16.5", *numbers),
             "--size": ("640", "640x", "x480", "0x480", "640x0", "-640x480", "16385x1", "1x16385", "640x480x3",
@@ -47,6 +48,19 @@ class BadArguments(ProgramTest):
             "--camera": ("",),
             "--clip": ("",),
             "--json": ("",),
+            "--light": ("",),
+            "--light-direction": ("30", "30,91", "361,0", "1,2,3,4", "0,0,0", "30;40", "30,", ",", "30,40 ", "a,b",
+                                  *(f"{n},{n}" for n in numbers if n), ""),
+            "--light-distance": ("0", "-1", "2e9", *numbers),
+            "--light-cone": ("0", "85", "-20", *numbers),
+            "--light-intensity": ("-1", "1e7", *numbers),
+            "--light-move": ("1", "1,2", "1,2,3,4", "1,2,nan", "inf,0,0", "1,2,2e9", "1, 2,3", ""),
+            "--light-turn": ("361", "1,2,3", "5,", "5,400", *numbers),
+            "--ground": ("maybe", "1", "On", ""),
+            "--ground-height": ("2e9", *numbers),
+            "--ground-size": ("0", "-3", "2e9", *numbers),
+            "--exposure": ("17", "-16.5", *numbers),
+            "--tone-map": ("aces", "0", "Filmic", ""),
         }
         for option, values in cases.items():
             for value in values:
@@ -104,6 +118,25 @@ class BadArguments(ProgramTest):
         # Also where another scene is drawn.
         self.refuse_usage(("cubes.count=0", "expected"), *SHOT, "--set", "cubes.count=0")
         self.refuse(1, ("--clip walk", "cubes"), "shot", "cubes", "-o", "F.png", "--clip", "walk")
+
+    def test_what_a_scene_does_not_have(self):
+        """Known once the scene is there, still before there is a context."""
+        for option, value in (("--light-distance", "3"), ("--light-cone", "20"), ("--light-move", "1,0,0")):
+            self.refuse_usage((f"{option} {value}", "sun", "expected"), "shot", "foliage", "-o", "F.png", option, value)
+        self.refuse(1, ("--light 2", "cubes"), "shot", "cubes", "-o", "F.png", "--light", "2")
+        self.refuse(1, ("--ground on", "cubes"), "shot", "cubes", "-o", "F.png", "--ground", "on")
+        self.refuse(1, ("--ground on", "case:"), "shot", "case:static_all", "-o", "F.png", "--ground", "on")
+        self.refuse(1, ('"candle"', "it has: lamp"), *SHOT, "--light", "candle")
+
+    def test_what_was_meant(self):
+        self.refuse_usage(("did you mean --technique?", "timeshade help shot"), *SHOT, "--techniqe", "tsm")
+        self.refuse_usage(("did you mean --shutter-position?",), *SHOT, "--shutterposition=end")
+        self.refuse_usage(("did you mean exact?",), *SHOT, "--technique", "exat")
+        self.refuse_usage(("did you mean octopus?",), "shot", "octpus", "-o", "F.png")
+        self.refuse_usage(("'shoot'", "did you mean shot?"), "shoot", "chess", "-o", "F.png")
+        self.refuse_usage(("did you mean tsm.bias?",), *SHOT, "--set", "tsm.bais=1")
+        self.refuse_usage(("did you mean cubes?",), "shot", "cubes", "-o", "F.png", "--set", "cube5.count=3")
+        self.refuse_usage(("help measur", "did you mean measure?"), "help", "measur")
 
     def test_scenes(self):
         for scene in ("", "nonsense", "Chess", "chess ", "chess.glbx"):

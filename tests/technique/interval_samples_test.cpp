@@ -67,7 +67,7 @@ std::unique_ptr<Scene> sceneOf(const std::string& name) {
     if (name == "crowd") return makeCrowdedScene({.seed = 5});
     if (name == "turning") return makeMovingScene({.seed = 4, .cameraTurns = true});
     if (name == "around") return makeMovingScene({.seed = 3, .aroundTheEye = true});
-    return openScene(name, {}, {});
+    return openScene(name, "");
 }
 
 class IntervalSamplesOf : public testing::TestWithParam<std::string> {
@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, IntervalSamplesOf,
 
 TEST(IntervalSamples, OfManyTrianglesAreThoseOfTheOracle) {
     for (const SettingTexts& settings : {SettingTexts{}, SettingTexts{{"cubes.count", "2500"}}}) {
-        const std::unique_ptr<Scene> scene = openScene(settings.empty() ? "pillars" : "cubes", {}, settings);
+        const std::unique_ptr<Scene> scene = openScene(settings.empty() ? "pillars" : "cubes", "", settings);
         expectThoseOfTheOracle(*scene, requestOf(*scene, intervalRequest(1)));
     }
 }
@@ -236,7 +236,7 @@ TEST(IntervalSamples, OfForeignFilesAreThoseOfTheOracle) {
                                                     {"03_skinned_cylinder/03_skinned_cylinder.gltf", 20.0}};
     for (const auto& [file, at] : files) {
         SCOPED_TRACE(file);
-        const std::unique_ptr<Scene> scene = openScene(std::filesystem::path(folder) / file, {}, {});
+        const std::unique_ptr<Scene> scene = openScene(std::filesystem::path(folder) / file, "");
         FrameRequest request = requestOf(*scene, intervalRequest());
         request.frame = at;
         request.shutter.length = 2.0;
@@ -247,7 +247,7 @@ TEST(IntervalSamples, OfForeignFilesAreThoseOfTheOracle) {
 /// A solved shadow on solved samples has no random time in it: with positions at pixel centres no seed makes a
 /// difference.
 TEST(IntervalSamples, HaveNoNoiseInTime) {
-    const std::unique_ptr<Scene> scene = openScene("cubes", {}, {});
+    const std::unique_ptr<Scene> scene = openScene("cubes", "");
     FrameRequest request = requestOf(*scene, intervalRequest(1));
     request.pixelCentres = true;
     FramePlanner planner(*scene);
@@ -265,7 +265,7 @@ TEST(IntervalSamples, HaveNoNoiseInTime) {
 /// Where a light moves, what is lit early is shaded as it is early: the mean of shading times visibility, against
 /// `exact` at many instants of the same positions.
 TEST(IntervalSamples, AreShadedAsTheyAreLit) {
-    const std::unique_ptr<Scene> scene = openScene("pillars", {}, {});
+    const std::unique_ptr<Scene> scene = openScene("pillars", "");
     FrameRequest request = requestOf(*scene, intervalRequest(1));
     request.pixelCentres = true;
     FramePlanner planner(*scene);
@@ -291,7 +291,7 @@ TEST(IntervalSamples, AreShadedAsTheyAreLit) {
 
 /// Nothing moves: one sample a position, drawn as ever.
 TEST(IntervalSamples, OfAStaticSceneAreItsSamples) {
-    const std::unique_ptr<Scene> scene = openScene("cubes", {}, {});
+    const std::unique_ptr<Scene> scene = openScene("cubes", "");
     FrameRequest request = requestOf(*scene, intervalRequest());
     request.shutter.length = 0.0;
     FramePlanner planner(*scene);
@@ -306,7 +306,7 @@ TEST(IntervalSamples, OfAStaticSceneAreItsSamples) {
 
 /// What is drawn sample by sample is refused by name, not drawn as something else.
 TEST(IntervalSamples, AreRefusedByWhatNeedsATimeASample) {
-    const std::unique_ptr<Scene> scene = openScene("crossing", {}, {});
+    const std::unique_ptr<Scene> scene = openScene("crossing", "");
     FramePlanner planner(*scene);
     const FramePlan plan = planner.plan(requestOf(*scene, intervalRequest()));
     for (const TechniqueDescription& description : techniqueDescriptions()) {

@@ -20,7 +20,7 @@ constexpr std::uint32_t seeds = 6;
 
 std::unique_ptr<Scene> sceneOf(const std::string& name) {
     if (name == "quads") return makeMovingScene({.seed = 3});
-    return openScene(name, {}, {});
+    return openScene(name, "");
 }
 
 FrameRequest requestOf(const Scene& scene) {

@@ -114,12 +114,21 @@ TEST(Reference, UsesNoSamplesThatAFrameHasKept) {
 
 TEST(DisplayEncoding, IsWhatTheDisplayPassShows) {
     ReferenceTechnique truth;
-    sharedRenderer().draw(planOf(*closedFormCase("light_slides").scene, 8), truth, View::Final);
-    const DisplayImage shown = sharedRenderer().readPicture();
-    const DisplayImage encoded = displayed(sharedRenderer().readRadiance(), true);
-    ASSERT_EQ(shown.rgb.size(), encoded.rgb.size());
-    // One level: the GPU's pow is not the library's.
-    for (std::size_t i = 0; i < shown.rgb.size(); ++i) ASSERT_NEAR(shown.rgb[i], encoded.rgb[i], 1) << "value " << i;
+    FramePlan plan = planOf(*closedFormCase("light_slides").scene, 8);
+    std::vector<std::uint8_t> before;
+    for (const DisplayLook& look :
+         {DisplayLook{}, DisplayLook{-1.5}, DisplayLook{0.0, ToneMap::Reinhard}, DisplayLook{-1.0, ToneMap::Linear}}) {
+        plan.request.look = look;
+        sharedRenderer().draw(plan, truth, View::Final);
+        const DisplayImage shown = sharedRenderer().readPicture();
+        const DisplayImage encoded = displayed(sharedRenderer().readRadiance(), look);
+        ASSERT_EQ(shown.rgb.size(), encoded.rgb.size());
+        // One level: the GPU's pow is not the library's.
+        for (std::size_t i = 0; i < shown.rgb.size(); ++i)
+            ASSERT_NEAR(shown.rgb[i], encoded.rgb[i], 1) << "value " << i;
+        EXPECT_NE(shown.rgb, before);
+        before = shown.rgb;
+    }
 }
 
 /// The Embree baseline is only timed, but it must do the same work.

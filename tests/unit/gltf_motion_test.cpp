@@ -211,6 +211,26 @@ TEST(GltfViews, TheFirstUsableLightShines) {
     EXPECT_GE(notesWith(*scene, "3 left out: lamp 0, lamp 1, lamp 3"), 1u);
 }
 
+TEST(GltfViews, AnotherLightIsChosenByNameOrNumber) {
+    const Json point = {{"type", "point"}, {"intensity", 5}};
+    const Json dark = {{"type", "spot"}, {"intensity", 0}, {"spot", Json::object()}};
+    const Json spot = {{"type", "spot"}, {"intensity", 50}, {"spot", Json::object()}};
+    const GltfFile file = fileWithLights({point, dark, spot, spot});
+    const auto chosen = [&](const std::string& name) { return loaded(file, {.light = name}); };
+    EXPECT_EQ(loaded(file)->lights(), (std::vector<std::string>{"lamp 0", "lamp 2", "lamp 3"}));
+    EXPECT_EQ(loaded(file)->chosenLight(), 1u);
+    for (const char* name : {"lamp 3", "3"}) {
+        EXPECT_DOUBLE_EQ(chosen(name)->light(0).position.x, 3.0) << name;
+        EXPECT_EQ(chosen(name)->chosenLight(), 2u);
+        EXPECT_EQ(notesWith(*chosen(name), "3 left out: lamp 0, lamp 1, lamp 2"), 1u);
+    }
+    EXPECT_NE(chosen("3")->contentDigest(), loaded(file)->contentDigest());
+    EXPECT_EQ(chosen("fitted")->chosenLight(), 3u);
+    EXPECT_LT(chosen("fitted")->light(0).position.y, 3.0);
+    for (const char* name : {"lamp 1", "0", "4", "lamp"})
+        EXPECT_NE(refusal(file, {.light = name}).find("it has: lamp 0, lamp 2, lamp 3"), std::string::npos) << name;
+}
+
 TEST(GltfViews, SunsPointLightsAndWideSpots) {
     const auto sun = loaded(fileWithLights({{{"type", "directional"}}}));
     EXPECT_EQ(sun->light(0).kind, LightKind::Directional);

@@ -71,6 +71,25 @@ CameraPose randomPose(Dice& dice) {
     return pose;
 }
 
+/// Light, ground and display, anywhere in their ranges.
+void changeLight(PictureOptions& options, Dice& dice) {
+    const auto between = [&](double low, double high) { return low + (high - low) * dice.share(); };
+    LightChange& light = options.light;
+    if (dice.yes()) options.lightName = dice.yes() ? "lamp 2" : "fitted";
+    if (dice.yes()) light.direction = LightDirection{between(-360.0, 360.0), between(-90.0, 90.0)};
+    if (dice.yes()) light.distance = between(1e-6, 100.0);
+    if (dice.yes()) light.cone = between(LightChange::leastCone, LightChange::mostCone);
+    if (dice.yes()) light.intensity = between(0.0, 1e5);
+    if (dice.yes()) light.move = {between(-9.0, 9.0), between(-9.0, 9.0), between(-1e9, 1e9)};
+    if (dice.yes()) light.turn = between(-360.0, 360.0);
+    if (dice.yes()) light.rise = between(-360.0, 360.0);
+    options.ground.choice = static_cast<GroundChoice>(dice.below(3));
+    if (dice.yes()) options.ground.height = between(-100.0, 100.0);
+    if (dice.yes()) options.ground.size = between(1e-3, 1e3);
+    if (dice.yes()) options.look.exposure = between(DisplayLook::leastExposure, DisplayLook::mostExposure);
+    options.look.toneMap = static_cast<ToneMap>(dice.below(3));
+}
+
 PictureOptions randomState(int seed) {
     Dice dice(static_cast<std::uint64_t>(seed) + 1);
     gl::ProgramCache programs;
@@ -111,6 +130,7 @@ PictureOptions randomState(int seed) {
         options.compareMode = static_cast<CompareMode>(dice.below(3));
         options.seam = dice.share();
     }
+    changeLight(options, dice);
     return options;
 }
 
@@ -128,6 +148,10 @@ void expectSamePicture(const PictureOptions& a, const PictureOptions& b) {
               std::tie(b.forceDynamic, b.noCache, b.pixelCentres, b.looping));
     EXPECT_EQ(std::tie(a.view, a.techniqueView, a.compared, a.compareMode, a.seam),
               std::tie(b.view, b.techniqueView, b.compared, b.compareMode, b.seam));
+    EXPECT_EQ(a.lightName, b.lightName);
+    EXPECT_EQ(a.light, b.light);
+    EXPECT_EQ(a.ground, b.ground);
+    EXPECT_EQ(a.look, b.look);
     ASSERT_EQ(a.pose.has_value(), b.pose.has_value());
     if (a.pose) {
         EXPECT_EQ(a.pose->eye, b.pose->eye);

@@ -41,7 +41,7 @@ TEST(SceneLoading, WhatIsGivenUpIsNotWaitedFor) {
     EXPECT_EQ(loading.text().substr(0, 34), "loading slow.glb: meshes 2 of 3, 1");
     loading.cancel();
     EXPECT_FALSE(loading.on());
-    loading.begin("pillars", [](const LoadingWatch& watch) { return openScene("pillars", "", {}, watch); });
+    loading.begin("pillars", [](const LoadingWatch& watch) { return openScene("pillars", SceneChoice{}, {}, watch); });
     std::unique_ptr<Scene> scene;
     while (!scene) scene = loading.take();
     EXPECT_EQ(scene->name(), "pillars");
