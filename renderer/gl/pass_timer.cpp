@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/pause.h"
 #include "gl/errors.h"
 
 namespace timeshade::gl {
@@ -20,6 +21,7 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), ste
     if (timer.clock_ == Clock::Finish) {
         glFinish();
         step.begin = std::chrono::steady_clock::now();
+        step.paused = timePaused();
     } else {
         step.beginQuery = timer.timestamp();
     }
@@ -32,6 +34,7 @@ PassTimer::Scope::~Scope() {
     if (timer_.clock_ == Clock::Finish) {
         glFinish();
         step.end = std::chrono::steady_clock::now();
+        step.paused = timePaused() - step.paused;
     } else {
         step.endQuery = timer_.timestamp();
     }
@@ -54,7 +57,7 @@ std::vector<PassTimer::Reading> PassTimer::read(const Frame& frame) {
     for (const Step& step : frame) {
         double milliseconds = 0.0;
         if (clock_ == Clock::Finish) {
-            milliseconds = std::chrono::duration<double, std::milli>(step.end - step.begin).count();
+            milliseconds = std::chrono::duration<double, std::milli>(step.end - step.begin - step.paused).count();
         } else {
             GLuint64 begin = 0, end = 0;
             glGetQueryObjectui64v(step.beginQuery, GL_QUERY_RESULT, &begin);
