@@ -10,7 +10,7 @@ target_link_options(timeshade PRIVATE -Wl,--disable-new-dtags)
 install(TARGETS timeshade RUNTIME COMPONENT program)
 install(DIRECTORY shaders DESTINATION ${data} COMPONENT program)
 install(DIRECTORY assets/scenes DESTINATION ${data}/assets COMPONENT program)
-install(FILES assets/demo.json assets/SOURCES.md DESTINATION ${data}/assets COMPONENT program)
+install(FILES assets/demo.json assets/story.json assets/SOURCES.md DESTINATION ${data}/assets COMPONENT program)
 install(DIRECTORY renderer/techniques DESTINATION ${data}/renderer COMPONENT program
         FILES_MATCHING PATTERN page.png)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)

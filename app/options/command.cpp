@@ -9,6 +9,7 @@
 #include <timeshade/commit.h>  // generated
 #include <CLI/CLI.hpp>
 
+#include "core/data_folder.h"
 #include "core/error.h"
 #include "settings_file.h"
 
@@ -45,7 +46,7 @@ std::vector<std::string> withSettings(const std::vector<std::string>& arguments,
     return whole;
 }
 
-/// `timeshade` alone and `timeshade chess` mean the window.
+/// `timeshade` alone and `timeshade chess` mean the window; the first of them shows assets/story.json.
 void addDefaultCommand(std::vector<std::string>& arguments) {
     const std::vector<std::string> commands{"view",    "shot",     "record", "pictures", "verify",
                                             "measure", "epipolar", "cases",  "list"};
@@ -118,8 +119,11 @@ Command parseCommandLine(int argumentCount, char** argumentValues) {
     std::string typed = "timeshade";
     for (const std::string& argument : arguments) typed += " " + argument;
     addDefaultCommand(arguments);
-    const std::vector<FileSetting> ofFiles = takeSettingsFiles(arguments);
+    const bool story = arguments == std::vector<std::string>{"view"};
+    const std::vector<FileSetting> ofFiles =
+        story ? readSettingsFile((dataFolder() / "assets" / "story.json").string()) : takeSettingsFiles(arguments);
     Command command = parseWithSettings(arguments, ofFiles);
+    if (story) std::get<ViewOptions>(command).story = true;
     keepCommandLine(command, typed);
     return command;
 }

@@ -11,8 +11,17 @@ struct Level {
     int samplesDivisor;
     int mapDivisor;
 };
-constexpr std::array<Level, PreviewQuality::levels> ladder{
-    {{1.0, 1, 1}, {0.7, 1, 1}, {0.5, 1, 1}, {0.5, 2, 1}, {0.35, 2, 2}, {0.35, 4, 4}, {0.25, 4, 4}, {0.2, 16, 32}}};
+constexpr std::array<Level, PreviewQuality::levels> ladder{{{1.0, 1, 1},
+                                                            {0.7, 1, 1},
+                                                            {0.5, 1, 1},
+                                                            {0.35, 1, 1},
+                                                            {0.25, 1, 1},
+                                                            {0.25, 2, 1},
+                                                            {0.25, 4, 1},
+                                                            {0.2, 4, 2},
+                                                            {0.2, 4, 4},
+                                                            {0.2, 16, 32}}};
+constexpr int coarse = 4;  // the first level of the choice of that name
 constexpr double fastMilliseconds = 50.0;
 constexpr int framesUntilRetry = 40;
 // Below these nothing can be recognised any more.
@@ -29,6 +38,11 @@ int stepFor(double milliseconds) {
     return 1;
 }
 }  // namespace
+
+int PreviewQuality::level() const {
+    if (choice_ == Choice::Full) return 0;
+    return choice_ == Choice::Coarse ? std::max(level_, coarse) : level_;
+}
 
 FrameRequest PreviewQuality::reduced(FrameRequest full, int level) const {
     const Level& l = ladder[static_cast<std::size_t>(level)];
@@ -63,6 +77,18 @@ void PreviewQuality::measured(int level, double milliseconds) {
             fastFrames_ = 0;
         }
     }
+}
+
+namespace {
+constexpr std::array<const char*, 3> choiceNames{"full", "automatic", "coarse"};
+}  // namespace
+
+std::string nameOf(PreviewQuality::Choice choice) { return choiceNames[static_cast<std::size_t>(choice)]; }
+
+std::optional<PreviewQuality::Choice> previewOf(const std::string& name) {
+    for (std::size_t i = 0; i < choiceNames.size(); ++i)
+        if (name == choiceNames[i]) return static_cast<PreviewQuality::Choice>(i);
+    return std::nullopt;
 }
 
 }  // namespace timeshade

@@ -232,6 +232,8 @@ class Settings(WindowTest):
         window.reveal("view.scale")
         window.reveal("view.scale")
         self.assertGreater(window.look_at_picture().share_different(before), 0.2)
+        window.click("section.statistics")
+        window.wait(lambda d: "figure.dynamic triangles" in d["widgets"], "the statistics")
         self.assertIn("480", window.widget("figure.dynamic triangles")["value"].replace(",", ""))
         # A technique without it shows the picture.
         window.key("1")
