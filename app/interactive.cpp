@@ -38,7 +38,8 @@ namespace {
 
 /// ImGui needs a few frames to show what an event has changed.
 constexpr int framesAfterActivity = 3;
-constexpr double longestSleep = 0.25;  // seconds; notices end by themselves
+constexpr double secondsBetweenFrames = 0.07;  // of the window, while a picture is being drawn
+constexpr double longestSleep = 0.25;          // seconds; notices end by themselves
 
 WindowOptions windowOptions(const ViewOptions& options, const WindowMemory& memory) {
     WindowOptions window;
@@ -122,6 +123,7 @@ class Interactive {
     int framesLeft_ = framesAfterActivity;
     std::size_t keysHandled_ = 0;
     std::size_t framesDrawn_ = 0;
+    double drawnAt_ = 0.0;  ///< the last of them, seconds
     std::string title_;
 };
 
@@ -167,14 +169,23 @@ bool Interactive::drawWindow(bool atWork) {
     dumpWindow(width, height);
     ui_.endFrame();
     dump_.endFrame();
-    log_.frame(atWork, slices_.ended(), slices_.announced());
+    drawnAt_ = glfwGetTime();
+    const char* const work = !atWork                         ? "idle"
+                             : session_.driver.drawing()     ? "first"
+                             : session_.comparison.drawing() ? "second"
+                                                             : "other";
+    log_.frame(work, slices_.ended(), slices_.announced());
     return true;
 }
 
 void Interactive::drawAtWork() {
-    const DrawingState state;
     glfwPollEvents();
-    if (ui_.events().takeActivity()) drawAgain(framesAfterActivity);
+    const bool heard = ui_.events().takeActivity() || ui_.events().mouse().pending();
+    // Where nothing has happened, drawing the window as often as there are slices would only cost time.
+    const bool due = glfwGetTime() - drawnAt_ >= secondsBetweenFrames || !slices_.announced().empty();
+    if (heard) drawAgain(framesAfterActivity);
+    if (!heard && !due) return;
+    const DrawingState state;
     drawWindow(true);
 }
 
@@ -193,6 +204,8 @@ void Interactive::replace() {
     if (session_.shaders.watch.changed(session_.now)) session_.requests.reload = true;
     session_.applyRequests();
     loadSettingsFile();
+    if (std::exchange(session_.requests.recording, false))
+        session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
     if (!mouseHeld_) session_.keepForUndo();
     session_.graph.note(session_.driver.shown());
 }
@@ -234,8 +247,6 @@ void Interactive::work() {
     const FrameDriver::Wanted wanted = session_.wanted(mouseHeld_);
     if (session_.driver.update(wanted, session_.now)) drawAgain(2);
     if (session_.comparison.update(session_, wanted)) drawAgain(2);
-    if (std::exchange(session_.requests.recording, false))
-        session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
     if (!session_.recording.on() && session_.probe.update(session_)) drawAgain(2);
     if (session_.recording.update(session_)) drawAgain(2);
     // One after the other: a step of each would make the window slower to respond.

@@ -10,10 +10,10 @@ FrameLog::FrameLog() : begin_(std::chrono::steady_clock::now()) {
     if (const char* path = std::getenv("TIMESHADE_FRAME_LOG")) file_.open(path);
 }
 
-void FrameLog::frame(bool atWork, int slices, const std::string& announced) {
+void FrameLog::frame(const char* work, int slices, const std::string& announced) {
     if (!file_.is_open()) return;
     const std::chrono::duration<double, std::milli> since = std::chrono::steady_clock::now() - begin_;
-    file_ << fmt::format("{:.1f} {} {} {}\n", since.count(), atWork ? "work" : "idle", slices, announced) << std::flush;
+    file_ << fmt::format("{:.1f} {} {} {}\n", since.count(), work, slices, announced) << std::flush;
 }
 
 }  // namespace timeshade

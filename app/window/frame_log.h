@@ -7,12 +7,13 @@
 namespace timeshade {
 
 /// For tests and for whoever looks into how alive the window is: a line for every frame of the window in the file that
-/// the environment variable TIMESHADE_FRAME_LOG names: milliseconds since the start, "work" in a pause of long work or
-/// "idle", slices of work so far, and what could not be left. Does nothing without that variable.
+/// the environment variable TIMESHADE_FRAME_LOG names: milliseconds since the start, in the pause of which work it was
+/// drawn ("first" and "second" picture, "other") or "idle", slices of work so far, and what could not be left. Does
+/// nothing without that variable.
 class FrameLog {
   public:
     FrameLog();
-    void frame(bool atWork, int slices, const std::string& announced);
+    void frame(const char* work, int slices, const std::string& announced);
 
   private:
     std::ofstream file_;

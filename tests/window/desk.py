@@ -212,6 +212,11 @@ class Window:
                 return
             self.open_tab(tab)
 
+    def value(self, name):
+        """Of a widget, whatever tab it is on."""
+        self.find_tab(name)
+        return self.widget(name)["value"]
+
     def reveal(self, name):
         """Opens its tab and scrolls the side panel until the widget can be clicked. Returns its rectangle."""
         self.find_tab(name)

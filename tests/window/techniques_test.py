@@ -308,7 +308,7 @@ class Accuracy(WindowTest):
         if not said.startswith("Out of range"):
             samples = int(said.split("Static map at ")[1].split(" spp")[0])
             window.settle(technique="static")
-            self.assertEqual(window.widget("spp")["value"], samples)
+            self.assertEqual(window.value("spp"), samples)
         # The two views that compare, each with its legend.
         window.click("view/error")
         window.wait_state(diagnostic=["error", True])
