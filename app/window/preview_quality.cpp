@@ -24,6 +24,7 @@ constexpr std::array<Level, PreviewQuality::levels> ladder{{{1.0, 1, 1},
 constexpr int coarse = 4;  // the first level of the choice of that name
 constexpr double fastMilliseconds = 50.0;
 constexpr int framesUntilRetry = 40;
+constexpr int mostMap = 2048;  // of a preview: finer than any of its pixels
 // Below these nothing can be recognised any more.
 constexpr int leastSamples = 2, leastMap = 256, leastSide = 96;
 
@@ -47,12 +48,14 @@ int PreviewQuality::level() const {
 FrameRequest PreviewQuality::reduced(FrameRequest full, int level) const {
     const Level& l = ladder[static_cast<std::size_t>(level)];
     const double least = std::min(1.0, leastSide / static_cast<double>(std::max({full.width, full.height, 1})));
-    const double side = std::max(l.side, least);
-    full.width = std::max(1, static_cast<int>(std::lround(full.width * side)));
-    full.height = std::max(1, static_cast<int>(std::lround(full.height * side)));
+    const double share = std::max(l.side, least);
+    full.width = std::max(1, static_cast<int>(std::lround(full.width * share)));
+    full.height = std::max(1, static_cast<int>(std::lround(full.height * share)));
     full.samplesPerPixel = reducedTo(full.samplesPerPixel, l.samplesDivisor, leastSamples);
-    full.mapSize = {reducedTo(full.mapSize.width, l.mapDivisor, leastMap),
-                    reducedTo(full.mapSize.height, l.mapDivisor, leastMap)};
+    const auto side = [&](int map) {
+        return reducedTo(level > 0 ? std::min(map, mostMap) : map, l.mapDivisor, leastMap);
+    };
+    full.mapSize = {side(full.mapSize.width), side(full.mapSize.height)};
     return full;
 }
 

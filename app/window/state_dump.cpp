@@ -45,11 +45,10 @@ void dumpPicture(const Session& session, UiDump& dump) {
     dump.state("preview", driver.preview());
     dump.state("begun", driver.begun());
     if (driver.hasPlan()) {
-        const FrameRequest& drawnNow = session.renderer.plan().request;
-        dump.state("drawn", {drawnNow.width, drawnNow.height});
         dump.state("renders", {session.renderer.rendersDone(), session.renderer.renders()});
     }
     if (driver.state() == FrameDriver::State::Failed) dump.state("failure", driver.failure());
+    if (driver.shown().number > 0) dump.state("drawn", {driver.shown().drawn.width, driver.shown().drawn.height});
     static Drawn drawn;
     note(drawn, driver.shown().number, session.renderer, session.technique.name());
     dump.state("manifest", drawn.manifest);

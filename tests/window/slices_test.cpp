@@ -32,6 +32,9 @@ TEST(PreviewQuality, LowersTheMapLastOfAll) {
         before = drawn;
     }
     EXPECT_LT(before.mapSize.width, full.mapSize.width);
+    full.mapSize = 8192;
+    EXPECT_EQ(quality.reduced(full, 0).mapSize, 8192);
+    EXPECT_LE(quality.reduced(full, 1).mapSize.width, 2048) << "no preview needs more";
 }
 
 TEST(PreviewQuality, DoesAsItsChoiceSays) {

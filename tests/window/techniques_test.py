@@ -317,6 +317,7 @@ class Accuracy(WindowTest):
         window.key("v")
         window.wait_state(diagnostic=["none", False])
         # Another frame has another reference.
+        window.open_tab("measure")
         window.key("Right")
         window.wait(lambda d: d["state"]["accuracy"]["points"] <= 1 and d["state"]["frame"] != 0, "an empty trail")
         window.wait(lambda d: d["state"]["accuracy"]["points"] == 1 and d["state"]["accuracy"]["state"] == "idle",
