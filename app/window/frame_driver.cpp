@@ -140,6 +140,7 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
         FramePlan plan = wanted.planner->plan(quality_.reduced(wanted.request, level));
         renderer_.begin(std::move(plan), *wanted.technique, wanted.view, wanted.techniqueView);
         hasPlan_ = true;
+        pausePoint();  // large buffers may have been made
         renderer_.step();
     } catch (const std::exception& error) {
         fail(error.what());
