@@ -21,9 +21,12 @@
 #include "report.h"
 #include "scene_catalogue.h"
 #include "window/controls.h"
+#include "window/drawing_state.h"
+#include "window/frame_log.h"
 #include "window/picture_view.h"
 #include "window/session.h"
 #include "window/settings_io.h"
+#include "window/slices.h"
 #include "window/state_dump.h"
 #include "window/ui_dump.h"
 #include "window/ui_window.h"
@@ -35,7 +38,8 @@ namespace {
 
 /// ImGui needs a few frames to show what an event has changed.
 constexpr int framesAfterActivity = 3;
-constexpr double longestSleep = 0.25;  // seconds; notices end by themselves
+constexpr double secondsBetweenFrames = 0.07;  // of the window, while a picture is being drawn
+constexpr double longestSleep = 0.25;          // seconds; notices end by themselves
 
 WindowOptions windowOptions(const ViewOptions& options, const WindowMemory& memory) {
     WindowOptions window;
@@ -54,15 +58,20 @@ WindowOptions windowOptions(const ViewOptions& options, const WindowMemory& memo
 /// The window from its first frame to its last.
 class Interactive {
   public:
-    Interactive(const PictureOptions& options, std::unique_ptr<Scene> scene, const WindowContext& context,
+    Interactive(const ViewOptions& options, std::unique_ptr<Scene> scene, const WindowContext& context,
                 MemoryFile& memory)
         : window_(context.handle()),
           ui_(window_),
           memory_(memory),
-          session_(options, std::move(scene), context.backEnd()) {
+          session_(options, std::move(scene), context.backEnd()),
+          slices_([this] { drawAtWork(); }, [this] { return isUnwanted(); }) {
         const WindowMemory& before = memory_.atStart();
         session_.panels.textScale = before.textScale;
         session_.panels.sections = before.sections;
+        session_.panels.width = static_cast<float>(before.panelWidth);
+        session_.panels.storyClosed = before.storyClosed;
+        session_.panels.storyVisible = options.story && !before.storyClosed;
+        session_.panels.preview = previewOf(before.preview).value_or(PreviewQuality::Choice::Automatic);
         for (auto path = before.recentScenes.rbegin(); path != before.recentScenes.rend(); ++path)
             session_.recentFiles.add(*path);
         session_.recentFiles.add(session_.scene.name());
@@ -71,9 +80,9 @@ class Interactive {
     void run() {
         while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
             wait();
-            int width = 0, height = 0;
-            glfwGetFramebufferSize(window_, &width, &height);
-            if (width > 0 && height > 0) drawFrame(width, height);
+            if (!drawWindow(false)) continue;
+            replace();
+            workInSlices();
         }
         session_.recording.stop(session_);
         memory_.finish();
@@ -83,12 +92,17 @@ class Interactive {
 
   private:
     void wait();
-    void drawFrame(int width, int height);
+    bool drawWindow(bool atWork);
+    void drawAtWork();
+    bool isUnwanted();
+    void replace();
     void takeInput();
     void drawPanels(Widgets& widgets, const Layout& layout);
     void fitPicture(const Area& area);
+    void workInSlices();
     void work();
     void handleSettings();
+    void loadSettingsFile();
     void rememberLayout();
     void showTitle();
     void dumpWindow(int width, int height);
@@ -100,10 +114,14 @@ class Interactive {
     MemoryFile& memory_;
     Session session_;
     UiDump dump_;
+    FrameLog log_;
     PictureMouse mouse_;
+    Slices slices_;
+    bool mouseHeld_ = false;
     int framesLeft_ = framesAfterActivity;
     std::size_t keysHandled_ = 0;
     std::size_t framesDrawn_ = 0;
+    double drawnAt_ = 0.0;  ///< the last of them, seconds
     std::string title_;
 };
 
@@ -124,26 +142,70 @@ void Interactive::wait() {
     framesLeft_ = std::max(0, framesLeft_ - 1);
 }
 
-void Interactive::drawFrame(int width, int height) {
-    session_.advance(glfwGetTime());
-    if (session_.shaders.watch.changed(session_.now)) session_.reloadShaders();
+/// A frame of the window, and what its user has done since the last. False where there is nothing to draw into.
+/// `atWork`: within a pause of the work, so that nothing is replaced that it refers to.
+bool Interactive::drawWindow(bool atWork) {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    if (width <= 0 || height <= 0) return false;
+    session_.advance(glfwGetTime(), atWork);
+    session_.building = slices_.announced();
     ui_.beginFrame(session_.panels.textScale);
     dump_.beginFrame();
     takeInput();
-    const Layout layout = layoutOf(ImGui::GetIO().DisplaySize, ui_.scale(), session_.panels.visible);
+    const Layout layout =
+        layoutOf(ImGui::GetIO().DisplaySize, ui_.scale(), session_.panels.visible, session_.panels.width);
     mouse_.apply(session_, layout.picture);
     Widgets widgets(dump_, ui_.scale(), session_.panels.sections);
     drawPanels(widgets, layout);
-    session_.applyRequests();
     handleSettings();
     rememberLayout();
     fitPicture(layout.picture);
-    work();
     drawPictureView(session_, widgets, layout.picture);
+    mouseHeld_ = mouse_.dragging() || (ImGui::IsAnyItemActive() && ImGui::GetIO().MouseDown[0]);
     showTitle();
     dumpWindow(width, height);
     ui_.endFrame();
     dump_.endFrame();
+    drawnAt_ = glfwGetTime();
+    const char* const work = !atWork                         ? "idle"
+                             : session_.driver.drawing()     ? "first"
+                             : session_.comparison.drawing() ? "second"
+                                                             : "other";
+    log_.frame(work, slices_.ended(), slices_.announced());
+    return true;
+}
+
+void Interactive::drawAtWork() {
+    glfwPollEvents();
+    const bool heard = ui_.events().takeActivity() || ui_.events().mouse().pending();
+    // Where nothing has happened, drawing the window as often as there are slices would only cost time.
+    const bool due = glfwGetTime() - drawnAt_ >= secondsBetweenFrames || !slices_.announced().empty();
+    if (heard) drawAgain(framesAfterActivity);
+    if (!heard && !due) return;
+    const DrawingState state;
+    drawWindow(true);
+}
+
+/// Within a pause: what has been done meanwhile makes the work useless.
+bool Interactive::isUnwanted() {
+    if (glfwWindowShouldClose(window_) == GLFW_TRUE || session_.requests.replaces() || session_.requests.load)
+        return true;
+    const FrameDriver::Wanted wanted = session_.wanted(mouseHeld_);
+    if (session_.driver.drawing()) return session_.driver.outdated(wanted);
+    if (session_.comparison.drawing()) return session_.comparison.outdated(wanted);
+    return !session_.driver.follows(wanted) || !session_.comparison.follows(wanted) || session_.probe.outdated();
+}
+
+/// What panels and keys have asked to be replaced, between two frames.
+void Interactive::replace() {
+    if (session_.shaders.watch.changed(session_.now)) session_.requests.reload = true;
+    session_.applyRequests();
+    loadSettingsFile();
+    if (std::exchange(session_.requests.recording, false))
+        session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
+    if (!mouseHeld_) session_.keepForUndo();
+    session_.graph.note(session_.driver.shown());
 }
 
 void Interactive::takeInput() {
@@ -167,14 +229,22 @@ void Interactive::fitPicture(const Area& area) {
     session_.moment.request.height = pixels(area.size.y);
 }
 
+/// On a software renderer, whose frames may take seconds. A device that draws beside the program leaves it free.
+void Interactive::workInSlices() {
+    std::optional<Slices::Work> sliced;
+    if (session_.renderer.device().software) sliced.emplace(slices_);
+    try {
+        work();
+    } catch (const WorkCancelled&) {
+        drawAgain(2);
+    }
+}
+
 /// A step of all that is to be drawn, found out and saved.
 void Interactive::work() {
-    const bool held = mouse_.dragging() || (ImGui::IsAnyItemActive() && ImGui::GetIO().MouseDown[0]);
-    const FrameDriver::Wanted wanted = session_.wanted(held);
+    const FrameDriver::Wanted wanted = session_.wanted(mouseHeld_);
     if (session_.driver.update(wanted, session_.now)) drawAgain(2);
     if (session_.comparison.update(session_, wanted)) drawAgain(2);
-    if (std::exchange(session_.requests.recording, false))
-        session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
     if (!session_.recording.on() && session_.probe.update(session_)) drawAgain(2);
     if (session_.recording.update(session_)) drawAgain(2);
     // One after the other: a step of each would make the window slower to respond.
@@ -192,10 +262,6 @@ void Interactive::handleSettings() {
             saveSettings(session_, panels.settingsPath);
             session_.notify("Saved " + std::filesystem::absolute(panels.settingsPath).lexically_normal().string());
         }
-        if (requests.load) {
-            loadSettings(session_, *requests.load);
-            session_.notify("Loaded " + *requests.load);
-        }
         if (requests.command) {
             panels.lastCommand = commandOf(session_);
             ImGui::SetClipboardText(panels.lastCommand.c_str());
@@ -205,11 +271,28 @@ void Interactive::handleSettings() {
         session_.notify(error.what(), true);
     }
     requests.save = requests.command = false;
-    requests.load.reset();
+}
+
+void Interactive::loadSettingsFile() {
+    const std::optional<std::string> path = std::exchange(session_.requests.load, std::nullopt);
+    if (!path) return;
+    try {
+        loadSettings(session_, *path);
+        session_.notify("Loaded " + *path);
+    } catch (const std::exception& error) {
+        session_.notify(error.what(), true);
+    }
 }
 
 void Interactive::rememberLayout() {
-    WindowMemory memory{0, 0, session_.panels.textScale, session_.panels.sections, session_.recentFiles.paths()};
+    const PanelState& panels = session_.panels;
+    WindowMemory memory;
+    memory.textScale = panels.textScale;
+    memory.sections = panels.sections;
+    memory.recentScenes = session_.recentFiles.paths();
+    memory.storyClosed = panels.storyClosed;
+    memory.panelWidth = static_cast<double>(panels.width);
+    memory.preview = nameOf(panels.preview);
     glfwGetWindowSize(window_, &memory.width, &memory.height);
     memory_.keep(memory, session_.now);
     if (const std::optional<std::string> complaint = memory_.takeComplaint()) session_.notify(*complaint, true);
@@ -231,9 +314,15 @@ void Interactive::dumpWindow(int width, int height) {
     dump_.state("scale", ui_.scale());
     dump_.state("keys", keysHandled_);
     dump_.state("frames", ++framesDrawn_);
+    dump_.state("slices", {slices_.ended(), slices_.cancelled()});
+    dump_.state("building", slices_.announced());
     dump_.state("mouse", {static_cast<int>(io.MousePos.x), static_cast<int>(io.MousePos.y),
                           io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2]});
     dumpState(session_, dump_);
+    const FrameDriver::Wanted wanted = session_.wanted(mouseHeld_);
+    const bool follows = session_.driver.follows(wanted) && session_.comparison.follows(wanted);
+    dump_.state("settled", follows && session_.driver.settled() && !session_.requests.replaces());
+    dump_.state("compared", follows && session_.comparison.settled(session_));
 }
 
 void writeReport(const ViewOptions& options, Session& session) {

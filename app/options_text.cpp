@@ -38,7 +38,9 @@ std::string quoted(const std::string& text) {
 
 /// Numbers and switches as such, so that people can edit the file.
 nlohmann::ordered_json valueOf(const std::string& text) {
-    if (text == "on" || text == "off") return text == "on";
+    // A switch of a file's own words comes as those.
+    if (text == "on" || text == "true") return true;
+    if (text == "off" || text == "false") return false;
     double number = 0.0;
     const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (failure != std::errc{} || rest != text.data() + text.size()) return text;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "compare/compared_shot.h"
+#include "compare/compared_techniques.h"
 #include "core/error.h"
 #include "diagnostic_shot.h"
 #include "frame/frame_renderer.h"
@@ -60,8 +61,9 @@ double median(std::vector<double> values) {
 }
 
 void printTimesHeader() {
-    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "ms", "camera", "shadow", "shadow", "", "steady", "cold");
-    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "scene", "samples", "structure", "test", "shading",
+    fmt::print("{:<15} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "ms", "camera", "shadow", "shadow", "", "steady",
+               "cold");
+    fmt::print("{:<15} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}  {}\n", "scene", "samples", "structure", "test", "shading",
                "frame", "frame", "picture");
 }
 
@@ -74,7 +76,7 @@ void printTimes(const std::string& scene, const std::vector<ClockedFrame>& frame
         if (frame.state != FrameState::Steady) continue;
         for (const auto& [step, milliseconds] : stepsOf(frame.readings)) steady[step].push_back(milliseconds);
     }
-    fmt::print("{:<9}", scene);
+    fmt::print("{:<15}", scene);
     // A technique's view takes the place of shading.
     for (const char* step : {"sample", "build", "lookup", steady.count("view") > 0 ? "view" : "shade", "total"})
         fmt::print(" {:>9.1f}", median(steady.at(step)));
@@ -139,23 +141,34 @@ int runPictures(const PicturesOptions& options) {
     const std::filesystem::path folder = madeFolder(options.output);
     const HeadlessGl opengl(options);
     FrameRenderer renderer;
+    PictureOptions drawn;
+    static_cast<FrameOptions&>(drawn) = options;
+    static_cast<TechniqueOptions&>(drawn) = options;
+    static_cast<CompareOptions&>(drawn) = options;
+    const std::vector<ComparedTechnique> techniques = techniquesFor(drawn, renderer.programs());
+    std::string names;
+    for (const ComparedTechnique& one : techniques)
+        names += (names.empty() ? "" : " | ") + one.technique->description().name;
     fmt::print("{} through {}\n{} at {} x {}, {} samples per pixel, map {}\n\n", deviceLine(renderer.device()),
-               opengl.backEnd(), options.technique, options.width, options.height, options.samplesPerPixel,
-               options.mapSize.text());
+               opengl.backEnd(), names, options.width, options.height, options.samplesPerPixel, options.mapSize.text());
+    const PictureText text;
     printTimesHeader();
     for (const std::string& name : showcase()) {
         const std::filesystem::path path = folder / (name + ".png");
         requireWritable(path);
         const std::unique_ptr<Scene> scene = openScene(name, "");
-        const std::unique_ptr<Technique> technique = techniqueFor(options, renderer.programs());
         FramePlanner planner(*scene);
-        const FrameRequest request = technique->asked(requestFor(options, *scene));
-        FrameClock clock(renderer, planner, options.view, options.techniqueView);
-        clock.warmUp(*technique, request, steadyFrames);
-        const std::vector<ClockedFrame> frames = clock.time(*technique, request, steadyFrames);
+        const FrameRequest request = askedByAll(requestFor(options, *scene), techniques);
+        std::vector<DisplayImage> pictures;
+        for (const ComparedTechnique& one : techniques) {
+            FrameClock clock(renderer, planner, options.view, options.techniqueView);
+            clock.warmUp(*one.technique, request, steadyFrames);
+            const std::vector<ClockedFrame> frames = clock.time(*one.technique, request, steadyFrames);
+            pictures.push_back(pictureOf(renderer));
+            printTimes(techniques.size() == 1 ? name : name + ", " + one.technique->description().name, frames, path);
+        }
         opengl.requireSilence();
-        writePng(path, pictureOf(renderer));
-        printTimes(name, frames, path);
+        writePng(path, composedFor(options, options.seam, labelsOf(techniques), pictures, text));
     }
     return 0;
 }

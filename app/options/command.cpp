@@ -10,6 +10,7 @@
 #include <timeshade/commit.h>  // generated
 #include <CLI/CLI.hpp>
 
+#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/nearest_word.h"
 #include "options/help.h"
@@ -86,7 +87,7 @@ void turnHelp(std::vector<std::string>& arguments) {
     arguments = {arguments[1], "--help"};
 }
 
-/// `timeshade` alone and `timeshade chess` mean the window.
+/// `timeshade` alone and `timeshade chess` mean the window; the first of them shows assets/story.json.
 void addDefaultCommand(std::vector<std::string>& arguments) {
     turnHelp(arguments);
     const std::vector<std::string> others{"--help", "-h", "--version", "help"};
@@ -180,8 +181,11 @@ Command parseCommandLine(int argumentCount, char** argumentValues) {
     std::string typed = "timeshade";
     for (const std::string& argument : arguments) typed += " " + argument;
     addDefaultCommand(arguments);
-    const std::vector<FileSetting> ofFiles = takeSettingsFiles(arguments);
+    const bool story = arguments == std::vector<std::string>{"view"};
+    const std::vector<FileSetting> ofFiles =
+        story ? readSettingsFile((dataFolder() / "assets" / "story.json").string()) : takeSettingsFiles(arguments);
     Command command = parseWithSettings(arguments, ofFiles);
+    if (story) std::get<ViewOptions>(command).story = true;
     keepCommandLine(command, typed);
     return command;
 }

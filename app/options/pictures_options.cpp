@@ -11,7 +11,7 @@ void addPicturesCommand(CLI::App& app, Command& command) {
     pictures->add_option("-o,--output", reading->options.output, "folder")->required();
     declareDrawing(*pictures, *reading);
     whenRead(*pictures, command, reading, [](CommandReading<PicturesOptions>& read) {
-        checkDrawing(read, {.techniqueViews = true}, read.options.output);
+        checkDrawing(read, {.comparisons = true, .techniqueViews = true}, read.options.output);
     });
 }
 

@@ -6,6 +6,8 @@
 namespace timeshade {
 
 /// `timeshade view`: the window.
-struct ViewOptions : PictureOptions, RunOptions {};
+struct ViewOptions : PictureOptions, RunOptions {
+    bool story = false;  ///< nothing was asked for: what assets/story.json says, with a word on it
+};
 
 }  // namespace timeshade

@@ -101,7 +101,13 @@ void drawAccuracyPanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.accuracy", "Accuracy", false)) return;
     Accuracy& accuracy = session.accuracy;
     accuracy.keepOn();
-    const ProbePoint* current = accuracy.current();
+    // What is not of the settings as they are now is not shown beside them.
+    const ProbePoint* measured = accuracy.current();
+    const ProbePoint* current = measured != nullptr && measured->subject == subjectOf(session) ? measured : nullptr;
+    if (current != nullptr)
+        widgets.figure(
+            "accuracy.of", "Of",
+            fmt::format("{}, map {}", sampleCountInWords(current->subject), current->subject.mapSize.text()));
     const auto number = [&](double value) { return current != nullptr ? fmt::format("{:.4g}", value) : "-"; };
     widgets.figure("accuracy.shadow", "Shadow error (RMS)", number(current != nullptr ? current->shadowError : 0.0));
     if (current != nullptr && current->wrongPpm)
@@ -110,12 +116,12 @@ void drawAccuracyPanel(Session& session, Widgets& widgets) {
     widgets.figure("accuracy.rmse", "Image RMSE", number(current != nullptr ? current->rmse : 0.0));
     widgets.figure("accuracy.ms", "Frame", current != nullptr ? fmt::format("{:.4g} ms", current->milliseconds) : "-");
     const std::string progress = progressOf(accuracy);
-    const std::string measured =
+    const std::string how =
         fmt::format("At {} × {}, against {} rays per pixel (image: {} samples)", accuracy.probe().width(),
                     accuracy.probe().height(), AccuracyProbe::referenceRays, AccuracyProbe::referenceSamples);
-    widgets.paragraph(progress.empty() ? measured : progress, accuracy.state() == Accuracy::State::Failed ? theme::bad
-                                                              : progress.empty()                          ? theme::quiet
-                                                                                 : theme::warning);
+    widgets.paragraph(progress.empty() ? how : progress, accuracy.state() == Accuracy::State::Failed ? theme::bad
+                                                         : progress.empty()                          ? theme::quiet
+                                                                                                     : theme::warning);
     widgets.dump().lastItem("accuracy.progress", progress);
     drawChartOf(session, widgets);
     drawButtons(session, widgets, drawOther(session, widgets));

@@ -13,7 +13,7 @@ void drawComparePanel(Session& session, Widgets& widgets) {
     std::size_t current = 0;
     for (const TechniqueDescription& description : techniqueDescriptions()) {
         if (comparison.on() && comparison.technique()->description().name == description.name) current = names.size();
-        titles.push_back(description.title);
+        titles.push_back(description.shortTitle);
         names.push_back(description.name);
         ids.push_back(description.name);
     }

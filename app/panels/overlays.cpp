@@ -112,7 +112,7 @@ void drawPage(Session& session, Widgets& widgets, const Area& picture) {
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 26> keys{
+    static constexpr std::array<std::array<const char*, 2>, 28> keys{
         {{"space", "play or pause"},
          {"left, right", "previous, next frame"},
          {", and .", "previous, next instant of the shutter"},
@@ -137,7 +137,9 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
          {"Ctrl-C", "copy the command line of this picture"},
          {"Ctrl-S", "save settings"},
          {"Ctrl-O", "load settings"},
-         {"Escape", "stop loading a scene"},
+         {"Ctrl-Z", "undo a setting"},
+         {"Ctrl-Y", "redo it (or Ctrl-Shift-Z)"},
+         {"Escape", "close what is on top, or leave its state"},
          {"Ctrl-Q", "quit"}}};
     beginBox("keys", picture, {0.5f, 0.5f}, 600.0f * widgets.scale(), ImGui::GetStyle().Colors[ImGuiCol_Border]);
     if (ImGui::BeginTable("keys", 2)) {
@@ -158,6 +160,8 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
 void drawOverlays(Session& session, Widgets& widgets, const Area& picture) {
     const float least = 60.0f * widgets.scale();
     if (picture.size.x < least || picture.size.y < least) return;
+    drawChips(session, widgets, picture);
+    if (session.panels.storyVisible) drawStory(session, widgets, picture);
     if (session.driver.state() == FrameDriver::State::Failed) drawFailure(session, widgets, picture);
     if (!session.shaders.log.empty()) drawShaderLog(session, widgets, picture);
     drawProbe(session, widgets, picture);

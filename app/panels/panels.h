@@ -10,6 +10,10 @@ namespace timeshade {
 void drawSidePanel(Session& session, Widgets& widgets, const Area& area);
 /// Play, step and scrub, and below that what the picture is and how far it has got.
 void drawTransportBar(Session& session, Widgets& widgets, const Area& area);
+/// What state the picture is in, in its upper right corner; a click leaves that state.
+void drawChips(Session& session, Widgets& widgets, const Area& picture);
+/// What is shown at the first start, in a few words.
+void drawStory(Session& session, Widgets& widgets, const Area& picture);
 /// What lies over the picture: why there is none, a notice, the list of keys.
 void drawOverlays(Session& session, Widgets& widgets, const Area& picture);
 
@@ -26,6 +30,8 @@ void drawLightPanel(Session& session, Widgets& widgets);
 void drawGroundPanel(Session& session, Widgets& widgets);
 void drawCameraPanel(Session& session, Widgets& widgets);
 void drawTimesPanel(Session& session, Widgets& widgets);
+void drawFrameGraph(Session& session, Widgets& widgets);
+void drawStatistics(Session& session, Widgets& widgets);
 void drawAccuracyPanel(Session& session, Widgets& widgets);
 void drawPlanPanel(Session& session, Widgets& widgets);
 void drawTimePanel(Session& session, Widgets& widgets);

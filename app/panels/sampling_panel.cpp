@@ -73,15 +73,6 @@ void drawShutter(Session& session, Widgets& widgets) {
 
 void drawSamplingPanel(Session& session, Widgets& widgets) {
     if (!widgets.section("section.sampling", "Sampling and shutter", true)) return;
-    Widgets::Number samples;
-    samples.minimum = 1.0;
-    samples.maximum = maximumSamplesPerPixel;
-    samples.format = "%d";
-    samples.defaultValue = 8.0;
-    samples.help =
-        "Camera samples of each pixel, one per stratum of the shutter. Less noise; time in proportion. A "
-        "technique that accumulates renders draws as many as it has renders.";
-    widgets.slider("spp", "Samples per pixel", session.moment.request.samplesPerPixel, samples);
     widgets.checkbox("pixel_centres", "Pixel centres", session.moment.request.pixelCentres, false,
                      "Samples lie at the centres of pixels instead of one random place of the pixel each, at the same "
                      "times: edges as of a rasteriser, without antialiasing. A technique may ask for it by itself.");

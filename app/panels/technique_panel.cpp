@@ -6,16 +6,30 @@
 
 namespace timeshade {
 
-namespace {
-
 /// What it counted in the picture, with warnings.
 void drawStatistics(Session& session, Widgets& widgets) {
+    if (!widgets.section("section.statistics", "Statistics", false)) return;
+    if (session.driver.shown().preview) widgets.paragraph("Of the preview", theme::warning);
     for (const TechniqueStatistic& figure : session.technique.statistics(session.driver)) {
         widgets.figure("figure." + figure.name, figure.name, inWords(figure));
         if (figure.warning.empty()) continue;
         widgets.paragraph(figure.warning, theme::warning);
         widgets.dump().lastItem("figure.warning." + figure.name, figure.warning);
     }
+}
+
+namespace {
+
+void drawSamples(Session& session, Widgets& widgets) {
+    Widgets::Number samples;
+    samples.minimum = 1.0;
+    samples.maximum = maximumSamplesPerPixel;
+    samples.format = "%d";
+    samples.defaultValue = 8.0;
+    samples.help =
+        "Camera samples of each pixel, one per stratum of the shutter. Less noise; time in proportion. A "
+        "technique that accumulates renders draws as many as it has renders.";
+    widgets.slider("spp", "Samples per pixel", session.moment.request.samplesPerPixel, samples);
 }
 
 }  // namespace
@@ -28,16 +42,17 @@ void drawTechniquePanel(Session& session, Widgets& widgets) {
     std::size_t current = 0;
     for (const TechniqueDescription& description : all) {
         if (description.name == now.name) current = titles.size();
-        titles.push_back(description.title);
+        titles.push_back(description.shortTitle);
     }
     if (const auto chosen = widgets.combo("technique", "", titles, current, ""))
         session.requests.technique = all[*chosen].name;
-    widgets.paragraph(now.summary, theme::quiet);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", now.source.c_str());
-
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s\n%s\n%s", now.title.c_str(), now.summary.c_str(), now.source.c_str());
+    drawSamples(session, widgets);
+    drawSettings(session.technique.current(), "technique.reset", widgets);
+    widgets.paragraph(now.title + ". " + now.summary, theme::quiet);
     if (widgets.button("technique.page", "About this technique (I)", ImGui::GetContentRegionAvail().x))
         session.panels.pageVisible = !session.panels.pageVisible;
-    drawSettings(session.technique.current(), "technique.reset", widgets);
     drawStatistics(session, widgets);
 }
 

@@ -54,7 +54,7 @@ std::vector<gl::PassTimer::Reading> inOrder(const std::vector<gl::PassTimer::Rea
 
 void drawTimes(Session& session, Widgets& widgets) {
     const FrameTimes& times = session.driver.times();
-    if (times.frames() == 0 || !session.driver.hasPlan()) {
+    if (times.frames() == 0 || session.driver.shown().number == 0 || !session.driver.hasPlan()) {
         widgets.paragraph("No data yet", theme::quiet);
         widgets.dump().lastItem("times.none", true);
         return;
@@ -67,11 +67,12 @@ void drawTimes(Session& session, Widgets& widgets) {
         drawTime(widgets, "times." + reading.name, name, reading.milliseconds, total);
     }
     widgets.figure("times.total", "Total", milliseconds(total));
-    const FrameRequest& drawn = session.renderer.plan().request;
+    const ShownPicture& shown = session.driver.shown();
     std::string over = times.frames() == 1 ? "one frame" : fmt::format("median of {} frames", times.frames());
     if (session.renderer.renders() > 1) over += fmt::format(" of {} renders", session.renderer.renders());
     widgets.paragraph(
-        fmt::format("{}{}, {} × {}", session.driver.preview() ? "Preview, " : "", over, drawn.width, drawn.height),
+        fmt::format("{}{}, {} × {}, {} spp, map {}", shown.preview ? "Preview, " : "", over, shown.drawn.width,
+                    shown.drawn.height, shown.drawn.samplesPerPixel, shown.drawn.mapSize.text()),
         theme::quiet);
     if (session.renderer.renders() > 1 || session.driver.preview()) return;
     // A paused picture is drawn once, and the first time compiles programs.
@@ -97,9 +98,37 @@ void drawMemory(Session& session, Widgets& widgets) {
 
 }  // namespace
 
+/// A bar a picture, the newest at the right; previews are paler.
+void drawFrameGraph(Session& session, Widgets& widgets) {
+    const std::vector<FrameGraph::Bar>& bars = session.graph.bars();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = 60.0f * widgets.scale();
+    float most = 1.0f;
+    for (const FrameGraph::Bar& bar : bars) most = std::max(most, bar.milliseconds);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(corner, {corner.x + width, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                       3.0f * widgets.scale());
+    const float step = width / static_cast<float>(FrameGraph::kept);
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        const float right = corner.x + width - step * static_cast<float>(bars.size() - 1 - i);
+        const float top = corner.y + height * (1.0f - bars[i].milliseconds / most);
+        const ImVec4 color = bars[i].preview ? ImVec4(0.45f, 0.40f, 0.25f, 1.0f) : ImVec4(0.30f, 0.50f, 0.70f, 1.0f);
+        list.AddRectFilled({right - std::max(step - 1.0f, 1.0f), top}, {right, corner.y + height},
+                           ImGui::GetColorU32(color));
+    }
+    ImGui::Dummy({width, height});
+    widgets.dump().lastItem("times.graph", bars.size());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The last %zu pictures; the highest took %s. Previews are brown.", bars.size(),
+                          milliseconds(static_cast<double>(most)).c_str());
+}
+
 void drawTimesPanel(Session& session, Widgets& widgets) {
-    if (widgets.section("section.times", "Time", true)) drawTimes(session, widgets);
-    if (widgets.section("section.memory", "GPU memory", true)) drawMemory(session, widgets);
+    if (widgets.section("section.times", "Time", true)) {
+        drawFrameGraph(session, widgets);
+        drawTimes(session, widgets);
+    }
+    if (widgets.section("section.memory", "GPU memory", false)) drawMemory(session, widgets);
 }
 
 }  // namespace timeshade

@@ -35,8 +35,7 @@ void drawTransport(Session& session, Widgets& widgets) {
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
         playback.play(false);
         playback.jump(frame);
-        session.technique.current().forget();
-        if (session.comparison.on()) session.comparison.technique()->forget();
+        session.requests.forget = true;
     }
     widgets.dump().lastItem("scrub", playback.frame());
 }
@@ -62,18 +61,16 @@ void drawProgress(Session& session, Widgets& widgets) {
     }
 }
 
+/// Of the picture that is shown, as it was drawn.
 std::string statusOf(const Session& session) {
     if (session.driver.state() == FrameDriver::State::Failed) return "This frame can't be rendered";
-    if (!session.driver.hasPlan()) return "Rendering first frame...";
-    const FrameRequest& drawn = session.renderer.plan().request;
-    const int instants = session.technique.current().renders();
-    const int samples = instants > 1 ? instants : drawn.samplesPerPixel;
-    const FrameTimes& times = session.driver.times();
-    const std::string cost = times.frames() > 0 ? ", " + inMilliseconds(times.medianTotal()) : "";
-    const char* unit = instants > 1 ? "renders" : "spp";
-    const std::string size =
-        fmt::format("{} x {}, {} {}, map {}", drawn.width, drawn.height, samples, unit, drawn.mapSize.text());
-    return session.driver.preview() ? "Preview " + size + cost : size + cost;
+    const ShownPicture& shown = session.driver.shown();
+    if (shown.number == 0) return "Rendering first frame...";
+    const int samples = shown.instants > 1 ? shown.instants : shown.drawn.samplesPerPixel;
+    const std::string cost = shown.milliseconds > 0.0 ? ", " + inMilliseconds(shown.milliseconds) : "";
+    return fmt::format("{}{} x {}, {} {}, map {}{}", shown.preview ? "Preview " : "", shown.drawn.width,
+                       shown.drawn.height, samples, shown.instants > 1 ? "renders" : "spp", shown.drawn.mapSize.text(),
+                       cost);
 }
 
 }  // namespace
@@ -92,9 +89,10 @@ void drawTransportBar(Session& session, Widgets& widgets, const Area& area) {
             drawProgress(session, widgets);
         else {
             ImGui::AlignTextToFramePadding();
-            ImGui::TextColored(session.driver.preview() && session.driver.hasPlan() ? theme::warning : theme::quiet,
-                               "%s", statusOf(session).c_str());
-            widgets.dump().lastItem("status", statusOf(session));
+            const std::string& building = session.building;
+            const std::string status = building.empty() ? statusOf(session) : statusOf(session) + " (" + building + ")";
+            ImGui::TextColored(session.driver.preview() ? theme::warning : theme::quiet, "%s", status.c_str());
+            widgets.dump().lastItem("status", status);
         }
     }
     ImGui::End();

@@ -94,6 +94,13 @@ void drawViewPanel(Session& session, Widgets& widgets) {
         widgets.paragraph(session.screenshots.lastPath(), theme::quiet);
         widgets.dump().lastItem("screenshot.path", session.screenshots.lastPath());
     }
+    const auto preview = widgets.combo(
+        "preview", "While it moves", {"Full", "Automatic", "Coarse"}, static_cast<std::size_t>(session.panels.preview),
+        "How much is drawn while something moves. Full: all of it, however long that takes. Automatic: fewer pixels, "
+        "then fewer samples where a frame would take more than 100 ms; the shadow map stays as long as it can. Coarse: "
+        "a quarter of the sides at most.",
+        {"full", "automatic", "coarse"});
+    if (preview) session.panels.preview = static_cast<PreviewQuality::Choice>(*preview);
     static constexpr double steps[] = {0.75, 1.0, 1.25, 1.5, 2.0, 2.5};
     std::vector<std::string> names;
     std::size_t current = 1;

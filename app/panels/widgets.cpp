@@ -95,12 +95,13 @@ bool Widgets::section(const std::string& id, const char* title, bool open) {
     return unfolded;
 }
 
-void Widgets::beginRow(const std::string& label) {
+void Widgets::beginRow(const std::string& label, const std::string& helpText) {
     const float start = ImGui::GetCursorPosX();
     const float inner = ImGui::GetContentRegionAvail().x;
     if (!label.empty()) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(label.c_str());
+        if (!helpText.empty() && ImGui::IsItemHovered()) tooltip(helpText);
         ImGui::SameLine(start + labelWidth * scale_);
     }
     const float used = label.empty() ? 0.0f : labelWidth * scale_;
@@ -122,7 +123,7 @@ bool Widgets::reset(const std::string& id, bool differs) {
 }
 
 bool Widgets::slider(const std::string& id, const std::string& label, double& value, const Number& number) {
-    beginRow(label);
+    beginRow(label, number.help);
     const double before = value;
     ImGuiSliderFlags flags = number.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
     ImGui::SliderScalar(("##" + id).c_str(), ImGuiDataType_Double, &value, &number.minimum, &number.maximum,
@@ -139,7 +140,7 @@ bool Widgets::slider(const std::string& id, const std::string& label, double& va
 }
 
 bool Widgets::slider(const std::string& id, const std::string& label, int& value, const Number& number) {
-    beginRow(label);
+    beginRow(label, number.help);
     const int before = value, low = static_cast<int>(number.minimum), high = static_cast<int>(number.maximum);
     const ImGuiSliderFlags flags = number.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
     ImGui::SliderInt(("##" + id).c_str(), &value, low, high, number.format.c_str(), flags);
@@ -153,7 +154,7 @@ bool Widgets::slider(const std::string& id, const std::string& label, int& value
 
 bool Widgets::checkbox(const std::string& id, const std::string& label, bool& value, bool defaultValue,
                        const std::string& helpText) {
-    beginRow(label);
+    beginRow(label, helpText);
     const bool before = value;
     ImGui::Checkbox(("##" + id).c_str(), &value);
     dump_.lastItem(id, value);
@@ -166,7 +167,7 @@ std::optional<std::size_t> Widgets::combo(const std::string& id, const std::stri
                                           const std::vector<std::string>& entries, std::size_t current,
                                           const std::string& helpText, const std::vector<std::string>& ids) {
     std::optional<std::size_t> chosen;
-    beginRow(label);
+    beginRow(label, helpText);
     if (label.empty() && helpText.empty()) ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const std::string shown = current < entries.size() ? entries[current] : "";
     if (!ImGui::BeginCombo(("##" + id).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge)) {
@@ -204,6 +205,17 @@ std::optional<std::size_t> Widgets::choice(const std::string& id, const std::vec
         if (down) ImGui::PopStyleColor();
         dump_.lastItem(id + "/" + (ids.empty() ? entries : ids)[i], down);
     }
+    return chosen;
+}
+
+std::optional<std::size_t> Widgets::tabs(const std::string& id, const std::vector<std::string>& titles,
+                                         std::size_t current, const std::vector<std::string>& ids) {
+    const auto chosen = choice(id, titles, current, ids);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddLine(
+        {corner.x, corner.y - 0.5f * ImGui::GetStyle().ItemSpacing.y},
+        {corner.x + ImGui::GetContentRegionAvail().x, corner.y - 0.5f * ImGui::GetStyle().ItemSpacing.y},
+        ImGui::GetColorU32(ImGuiCol_Border));
     return chosen;
 }
 

@@ -46,6 +46,9 @@ class Widgets {
     /// Buttons side by side, one of which is down. The one that was pressed just now. `ids` as for combo.
     std::optional<std::size_t> choice(const std::string& id, const std::vector<std::string>& entries,
                                       std::size_t current, const std::vector<std::string>& ids = {});
+    /// Tabs beside each other, of which one is open: the one that was pressed just now. `ids` as for combo.
+    std::optional<std::size_t> tabs(const std::string& id, const std::vector<std::string>& titles, std::size_t current,
+                                    const std::vector<std::string>& ids);
     bool button(const std::string& id, const std::string& text, float width = 0.0f);
     bool iconButton(const std::string& id, Icon icon, const char* tooltip, float side);
     /// Text typed into a field that fills the row up to `reserved`. True when Enter is pressed.
@@ -55,7 +58,7 @@ class Widgets {
     void figure(const std::string& id, const std::string& label, const std::string& value);
 
   private:
-    void beginRow(const std::string& label);
+    void beginRow(const std::string& label, const std::string& helpText = {});
     void help(const std::string& text);
     /// True when pressed. Shown only where the value is not the default.
     bool reset(const std::string& id, bool differs);

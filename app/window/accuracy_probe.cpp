@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/pause.h"
 #include "frame/warm_up.h"
 #include "gl/errors.h"
 #include "measure/metrics.h"
@@ -98,6 +99,12 @@ std::optional<ProbePoint> AccuracyProbe::step() {
         }
         if (reference_->complete()) return draw();
         reference_->step(*renderer_);
+    } catch (const WorkCancelled&) {
+        // References keep what they have; a technique's draws begin anew.
+        technique_.reset();
+        drawing_ = false;
+        times_.clear();
+        throw;
     } catch (const std::exception& error) {
         failure_ = error.what();
         technique_.reset();

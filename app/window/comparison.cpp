@@ -57,13 +57,21 @@ bool Comparison::update(Session& session, const FrameDriver::Wanted& first) {
         renderer_.emplace();
         driver_.emplace(*renderer_);
     }
+    bool changed = driver_->update(wantedOfSecond(first), session.now);
+    changed = updateDifference(session) || changed;
+    return updateErrors(session) || changed;
+}
+
+FrameDriver::Wanted Comparison::wantedOfSecond(const FrameDriver::Wanted& first) const {
     FrameDriver::Wanted wanted = first;
     wanted.technique = technique_.get();
     wanted.techniqueView.clear();
     wanted.scene += numbersApart * number_;
-    bool changed = driver_->update(wanted, session.now);
-    changed = updateDifference(session) || changed;
-    return updateErrors(session) || changed;
+    return wanted;
+}
+
+bool Comparison::follows(const FrameDriver::Wanted& first) const {
+    return !on() || (driver_ && driver_->follows(wantedOfSecond(first)));
 }
 
 bool Comparison::settled(const Session& session) const {
@@ -94,6 +102,7 @@ bool Comparison::updateErrors(Session& session) {
     if (!settled(session) || session.moment.playback.playing() || session.moment.instant || session.recording.on())
         return false;
     if (probe_.aim(session.scene.planner(), session.scene.number(), session.askedRequest())) points_.clear();
+    pointsOf_ = session.driver.shown().moment;
     for (Technique* technique : {&session.technique.current(), technique_.get()}) {
         const ProbeSubject subject = subjectOfTechnique(*technique, session.moment.request);
         if (std::any_of(points_.begin(), points_.end(),
@@ -108,13 +117,17 @@ bool Comparison::updateErrors(Session& session) {
 }
 
 std::string Comparison::label(const Session& session, bool ofSecond) const {
-    Technique& technique = ofSecond ? *technique_ : session.technique.current();
-    std::string text = sampleCountLabel(technique, session.moment.request.samplesPerPixel);
-    const FrameTimes* times = !ofSecond ? &session.driver.times() : driver_ ? &driver_->times() : nullptr;
-    if (times != nullptr && times->frames() > 0) text += ", " + inMilliseconds(times->medianTotal());
-    const ProbeSubject subject = subjectOfTechnique(technique, session.moment.request);
-    for (const ProbePoint& point : points_)
-        if (point.subject == subject) text += ", " + errorInWords(point);
+    const ShownPicture& shown = ofSecond ? driver_->shown() : session.driver.shown();
+    std::string text = fmt::format("{}, map {}", shown.label, shown.drawn.mapSize.text());
+    if (shown.instant) text += fmt::format(", u = {:.3g}", *shown.instant);
+    if (shown.preview) text += ", preview";
+    if (!shown.complete()) text += fmt::format(", {} done", shown.rendersDone);
+    // What was measured is the whole picture, of that moment.
+    const ProbeSubject subject{shown.technique, shown.settings, shown.drawn.samplesPerPixel, shown.drawn.mapSize};
+    if (!shown.preview && shown.complete() && !shown.instant && shown.moment == pointsOf_)
+        for (const ProbePoint& point : points_)
+            if (point.subject == subject) text += ", " + errorInWords(point);
+    if (shown.milliseconds > 0.0) text += ", " + inMilliseconds(shown.milliseconds);
     return text;
 }
 

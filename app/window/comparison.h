@@ -39,20 +39,47 @@ class Comparison {
     /// to be drawn again.
     bool update(Session& session, const FrameDriver::Wanted& first);
 
+    /// As FrameDriver::outdated and drawing, for the second picture.
+    bool outdated(const FrameDriver::Wanted& first) const {
+        return driver_ && driver_->outdated(wantedOfSecond(first));
+    }
+    bool drawing() const { return driver_ && driver_->drawing(); }
+    /// As FrameDriver::follows; true as long as there is no second picture.
+    bool follows(const FrameDriver::Wanted& first) const;
+
     /// Null as long as there is none.
     const gl::Texture* picture() const { return on() && driver_ ? driver_->picture() : nullptr; }
     /// The difference of both, once they are whole; null before and in other modes.
     const gl::Texture* difference() const { return difference_ ? &*difference_ : nullptr; }
-    /// As FrameDriver::warmUp, for the second picture.
+    /// As FrameDriver's, for the second picture.
     void warmUp() {
         if (driver_) driver_->warmUp();
     }
+    void cancel() {
+        if (driver_) driver_->cancel();
+    }
+    void resume() {
+        if (driver_) driver_->resume();
+    }
+    void hurry() {
+        if (driver_) driver_->hurry();
+    }
+    void drawUncached() {
+        if (driver_) driver_->drawUncached();
+    }
+    void setPreview(PreviewQuality::Choice choice) {
+        if (driver_) driver_->setPreview(choice);
+    }
+    std::optional<double> progress() const { return driver_ ? driver_->progress() : std::nullopt; }
+    /// What the second picture is; null as long as there is none.
+    const ShownPicture* shown() const { return picture() != nullptr ? &driver_->shown() : nullptr; }
     /// Both are all that they can be.
     bool settled(const Session& session) const;
     /// Seconds that the window may sleep; nothing if only a change can bring work.
     std::optional<double> sleep(double now) const;
 
-    /// "TSM, 8 spp, 12.3 ms, shadow error 0.012"; what is not known yet is left out.
+    /// Of the picture that is shown: "TSM, 8 spp, map 1024, shadow error 0.012, 12.3 ms"; what is not known yet is left
+    /// out, and a preview has no error: "TSM, 2 spp, map 1024, preview, 45 ms".
     std::string label(const Session& session, bool ofSecond) const;
     /// The two as --compare takes them: "tsm", "ranges:bias=2".
     std::vector<std::string> variants(Session& session) const;
@@ -68,6 +95,7 @@ class Comparison {
     double seam = 0.5;
 
   private:
+    FrameDriver::Wanted wantedOfSecond(const FrameDriver::Wanted& first) const;
     bool updateDifference(Session& session);
     bool updateErrors(Session& session);
 
@@ -79,6 +107,7 @@ class Comparison {
     int differenceOf_[2] = {-1, -1};  ///< pictures, by their numbers
     AccuracyProbe probe_;
     std::vector<ProbePoint> points_;
+    std::vector<double> pointsOf_;  ///< the moment that they are of, as momentKeyOf
 };
 
 /// A technique as --compare takes it, with those of its settings that are not at their defaults.

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "techniques/registry.h"
+#include "window/chips.h"
 
 namespace timeshade {
 
@@ -52,14 +53,16 @@ void applyKey(Session& session, int key) {
     case GLFW_KEY_H: session.panels.visible = !session.panels.visible; return;
     case GLFW_KEY_R: session.camera.useSceneCamera(session.moment, session.moment.request.cameraIndex); return;
     case GLFW_KEY_I: session.panels.pageVisible = !session.panels.pageVisible; return;
-    case GLFW_KEY_F5: session.reloadShaders(); return;
+    case GLFW_KEY_F5: session.requests.reload = true; return;
     case GLFW_KEY_F1: session.panels.keysVisible = !session.panels.keysVisible; return;
     default: return;
     }
 }
 
-void applyControlKey(Session& session, int key) {
+void applyControlKey(Session& session, int key, bool shift) {
     const bool typing = ImGui::GetIO().WantTextInput;  // Ctrl-C is the field's then
+    if (key == GLFW_KEY_Z && !typing) (shift ? session.requests.redo : session.requests.undo) = true;
+    if (key == GLFW_KEY_Y && !typing) session.requests.redo = true;
     if (key == GLFW_KEY_R) session.requests.recording = true;
     if (key == GLFW_KEY_S) session.requests.save = true;
     if (key == GLFW_KEY_O) session.requests.load = session.panels.settingsPath;
@@ -73,11 +76,11 @@ bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
         if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL) != 0) return true;
         if (press.key == GLFW_KEY_SLASH && (press.mods & GLFW_MOD_SHIFT) != 0 && !ImGui::GetIO().WantTextInput)
             session.panels.keysVisible = !session.panels.keysVisible;
-        if (press.key == GLFW_KEY_ESCAPE && session.loading.on()) {
-            session.loading.cancel();
-            session.notify("Loading was stopped");
-        }
-        if ((press.mods & GLFW_MOD_CONTROL) != 0) applyControlKey(session, press.key);
+        // A list or a field that is open is Dear ImGui's to close.
+        const bool open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) || ImGui::GetIO().WantTextInput;
+        if (press.key == GLFW_KEY_ESCAPE && !open) closeTopmost(session);
+        if ((press.mods & GLFW_MOD_CONTROL) != 0)
+            applyControlKey(session, press.key, (press.mods & GLFW_MOD_SHIFT) != 0);
         const bool typing = ImGui::GetIO().WantTextInput;
         if (!typing && press.key == GLFW_KEY_P && (press.mods & GLFW_MOD_SHIFT) != 0) session.requests.exr = true;
         if (!typing && (press.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0)

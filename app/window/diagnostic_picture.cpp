@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/pause.h"
 #include "frame/warm_up.h"
 #include "gl/errors.h"
 #include "window/display_texture.h"
@@ -38,6 +39,9 @@ bool DiagnosticPicture::update(Session& session, int pictureWidth) {
     try {
         if (key != key_ || subject != subject_) begin(session, std::move(key), subject);
         step();
+    } catch (const WorkCancelled&) {
+        key_.clear();  // begins anew
+        throw;
     } catch (const std::exception& error) {
         failed_ = true;
         caption_ = error.what();

@@ -4,6 +4,9 @@
 #include <chrono>
 #include <utility>
 
+#include "compare/compared_techniques.h"
+#include "core/pause.h"
+#include "core/work_part.h"
 #include "frame/warm_up.h"
 #include "gl/errors.h"
 #include "window/moment_key.h"
@@ -16,8 +19,10 @@ namespace {
 constexpr double settleSeconds = 0.35;
 constexpr double budgetMilliseconds = 30.0;
 
+/// Of work: pauses are left out.
 double milliseconds() {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    const auto now = std::chrono::steady_clock::now().time_since_epoch() - timePaused();
+    return std::chrono::duration<double, std::milli>(now).count();
 }
 
 /// What decides how long a picture takes, apart from the view.
@@ -36,28 +41,70 @@ std::vector<double> frameKeyOf(const FrameDriver::Wanted& wanted) {
     return key;
 }
 
+bool sameMethod(const FrameDriver::Wanted& wanted, const std::string& technique, const std::vector<double>& key) {
+    return technique == wanted.technique->description().name && methodKeyOf(wanted) == key;
+}
+
+/// True while it lives.
+struct Flag {
+    bool& flag;
+    explicit Flag(bool& f) : flag(f) { flag = true; }
+    ~Flag() { flag = false; }
+    Flag(const Flag&) = delete;
+    Flag& operator=(const Flag&) = delete;
+};
+
 }  // namespace
 
 FrameDriver::FrameDriver(FrameRenderer& renderer) : renderer_(renderer), quality_(renderer.device().software) {}
 
 bool FrameDriver::noticeChange(const Wanted& wanted, double now) {
-    std::vector<double> method = methodKeyOf(wanted), frame = frameKeyOf(wanted);
+    if (!std::exchange(restart_, false) && follows(wanted)) return false;
+    std::vector<double> method = methodKeyOf(wanted);
     const bool otherTechnique = techniqueName_ != wanted.technique->description().name;
-    const bool otherMethod = otherTechnique || method != methodKey_;
-    if (!otherMethod && frame == frameKey_ && techniqueView_ == wanted.techniqueView) return false;
-    if (otherMethod) forgetTimes();
+    if (otherTechnique || method != methodKey_) forgetTimes();
     // Sliders change the cost a little at a time, and the ladder follows; these change it at once.
     if (otherTechnique || methodKey_.empty() || method.front() != methodKey_.front()) quality_.forget();
     techniqueName_ = wanted.technique->description().name;
     techniqueView_ = wanted.techniqueView;
     methodKey_ = std::move(method);
-    frameKey_ = std::move(frame);
+    frameKey_ = frameKeyOf(wanted);
     lastChange_ = now;
     return true;
 }
 
+bool FrameDriver::follows(const Wanted& wanted) const {
+    return sameMethod(wanted, techniqueName_, methodKey_) && frameKeyOf(wanted) == frameKey_ &&
+           techniqueView_ == wanted.techniqueView;
+}
+
+bool FrameDriver::outdated(const Wanted& wanted) const {
+    if (stop_ && renderer_.renders() <= 1) return true;
+    if (moving_)
+        return !sameMethod(wanted, techniqueName_, methodKey_) || techniqueView_ != wanted.techniqueView ||
+               (wanted.hurry && level_ > 0);
+    return !follows(wanted);
+}
+
 bool FrameDriver::update(const Wanted& wanted, double now) {
+    if (measureNext_ > 0) {
+        forgetTimes();
+        toMeasure_ = std::exchange(measureNext_, 0);
+    }
     const bool changed = noticeChange(wanted, now);
+    const Flag working(drawing_);
+    try {
+        const int before = shown_.number;
+        const State stateBefore = state_;
+        proceed(wanted, changed, now);
+        return shown_.number != before || state_ != stateBefore || state_ == State::Drawing;
+    } catch (const WorkCancelled&) {
+        giveUp();
+        throw;
+    }
+}
+
+void FrameDriver::proceed(const Wanted& wanted, bool changed, double now) {
     const bool moving = !wanted.hurry && (wanted.moving || now - lastChange_ < settleSeconds);
     refine_ = refine_ || changed;
     const int level = moving ? quality_.level() : 0;
@@ -65,6 +112,7 @@ bool FrameDriver::update(const Wanted& wanted, double now) {
     if (changed) toMeasure_ = 0;
     if (changed || better) {
         toSettle_ = wanted.once ? 0 : wanted.technique->settlingFrames();
+        moving_ = moving;
         begin(wanted, level);
     } else if (toMeasure_ > 0 && state_ == State::Complete && level_ == 0) {
         --toMeasure_;
@@ -72,11 +120,8 @@ bool FrameDriver::update(const Wanted& wanted, double now) {
     } else if (toSettle_ > 0 && state_ == State::Complete && level_ == 0 && !moving) {
         --toSettle_;
         begin(wanted, 0);
-    } else if (state_ != State::Drawing) {
-        return false;
     }
-    if (state_ == State::Drawing) draw();
-    return true;
+    if (state_ == State::Drawing) draw(wanted);
 }
 
 void FrameDriver::begin(const Wanted& wanted, int level) {
@@ -84,9 +129,10 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
     if (level != level_) forgetTimes();
     level_ = level;
     refine_ = level > 0;
+    stop_ = false;
     ++begun_;
+    state_ = State::Drawing;
     try {
-        picture_ = nullptr;
         hasPlan_ = false;
         renderer_.timer().finishFrame();  // of a picture that was given up half-way
         if (level == 0 && std::exchange(warmUp_, false))
@@ -94,33 +140,84 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
         FramePlan plan = wanted.planner->plan(quality_.reduced(wanted.request, level));
         renderer_.begin(std::move(plan), *wanted.technique, wanted.view, wanted.techniqueView);
         hasPlan_ = true;
+        pausePoint();  // large buffers may have been made
         renderer_.step();
     } catch (const std::exception& error) {
         fail(error.what());
         return;
     }
-    state_ = State::Drawing;
     readTimes();
     double cost = milliseconds() - start;
     if (times_.frames() > 0) cost = std::max(cost, times_.medianTotal() / renderer_.renders());
     quality_.measured(level, cost);
 }
 
-void FrameDriver::draw() {
+void FrameDriver::draw(const Wanted& wanted) {
     const double start = milliseconds();
     try {
-        while (!renderer_.complete() && milliseconds() - start < budgetMilliseconds) {
+        while (!renderer_.complete() && !stop_ && milliseconds() - start < budgetMilliseconds) {
             renderer_.step();
             readTimes();
         }
-        const gl::Texture& picture = renderer_.displayTexture();
-        picture.setFilters(GL_LINEAR, GL_LINEAR);
-        picture_ = &picture;
+        show(wanted);
     } catch (const std::exception& error) {
         fail(error.what());
         return;
     }
-    state_ = renderer_.complete() ? State::Complete : State::Drawing;
+    const bool stopped = std::exchange(stop_, false);
+    state_ = renderer_.complete() ? State::Complete : stopped ? State::Cancelled : State::Drawing;
+}
+
+/// A copy: the renderer's own changes while the next picture is drawn.
+void FrameDriver::show(const Wanted& wanted) {
+    const gl::Texture& picture = renderer_.displayTexture();
+    const int width = picture.width(), height = picture.height();
+    if (!copy_ || copy_->width() != width || copy_->height() != height) {
+        copy_ = gl::Texture::image2D("picture shown", GL_RGBA8, width, height);
+        copy_->setFilters(GL_LINEAR, GL_LINEAR);
+    }
+    glCopyImageSubData(picture.name(), GL_TEXTURE_2D, 0, 0, 0, 0, copy_->name(), GL_TEXTURE_2D, 0, 0, 0, 0, width,
+                       height, 1);
+    const FrameRequest& drawn = renderer_.plan().request;
+    const StaticVersions& now = renderer_.plan().versions;
+    const bool again = shown_.number > 0 && shown_.number < begun_ && drawn.width == shown_.drawn.width &&
+                       drawn.height == shown_.drawn.height && drawn.samplesPerPixel == shown_.drawn.samplesPerPixel;
+    const bool cached = shown_.number == begun_ ? shown_.cached
+                                                : again && !uncached_ &&
+                                                      ((now.samples != 0 && now.samples == versions_.samples) ||
+                                                       (now.lit != 0 && now.lit == versions_.lit));
+    uncached_ = false;
+    versions_ = now;
+    shown_ = {begun_,
+              drawn,
+              level_ > 0,
+              wanted.technique->description().name,
+              sampleCountLabel(*wanted.technique, drawn.samplesPerPixel),
+              wanted.technique->renders(),
+              renderer_.rendersDone(),
+              renderer_.renders(),
+              wanted.instant,
+              cached,
+              times_.frames() > 0 ? times_.medianTotal() : 0.0,
+              times_.newestTotal(),
+              {},
+              momentKeyOf(wanted.request)};
+    for (const Setting& setting : settingsOf(*wanted.technique)) shown_.settings.push_back(setting.get());
+}
+
+/// A pause has ended the picture: it is begun anew, unless it is not to be drawn at all.
+void FrameDriver::giveUp() {
+    const bool stopped = std::exchange(stop_, false);
+    hasPlan_ = false;
+    restart_ = !stopped;
+    refine_ = !stopped;
+    state_ = stopped ? State::Cancelled : State::Drawing;
+    toMeasure_ = toSettle_ = 0;
+}
+
+std::optional<double> FrameDriver::progress() const {
+    if (!drawing_ || level_ > 0 || moving_ || renderer_.renders() != 1) return std::nullopt;
+    return workDone();
 }
 
 void FrameDriver::readTimes() {
@@ -141,29 +238,37 @@ void FrameDriver::fail(const char* what) {
     state_ = State::Failed;
     toMeasure_ = toSettle_ = 0;
     refine_ = false;
-    picture_ = nullptr;
+    shown_ = {};
 }
 
 void FrameDriver::cancel() {
-    if (state_ != State::Drawing) return;
-    state_ = State::Cancelled;
+    const bool waits = state_ == State::Complete && refine_;  // for the full picture
+    if (state_ != State::Drawing && !waits) return;
     toMeasure_ = 0;
-    refine_ = false;
+    if (drawing_) {
+        stop_ = true;  // it ends at the pause
+        return;
+    }
+    state_ = State::Cancelled;
+    refine_ = restart_ = false;
 }
 
 void FrameDriver::resume() {
-    if (state_ == State::Cancelled) state_ = State::Drawing;
+    if (state_ != State::Cancelled) return;
+    if (hasPlan_ && renderer_.rendersDone() > 0) {
+        state_ = State::Drawing;
+    } else {
+        state_ = State::Complete;  // of the preview
+        refine_ = true;
+    }
 }
 
 void FrameDriver::warmUp() { warmUp_ = refine_ = true; }
 
-void FrameDriver::measure(int pictures) {
-    forgetTimes();
-    toMeasure_ = pictures;
-}
+void FrameDriver::measure(int pictures) { measureNext_ = pictures; }
 
 std::optional<double> FrameDriver::sleep(double now) const {
-    if (state_ == State::Drawing || toMeasure_ > 0 || (toSettle_ > 0 && state_ == State::Complete && level_ == 0))
+    if (state_ == State::Drawing || measuring() || (toSettle_ > 0 && state_ == State::Complete && level_ == 0))
         return 0.0;
     if (refine_) return std::max(0.0, settleSeconds - (now - lastChange_));
     return std::nullopt;

@@ -22,6 +22,8 @@ class FrameTimes {
     std::vector<gl::PassTimer::Reading> medians() const;
     /// Median of the frames' sums, which is not the sum of the medians.
     double medianTotal() const;
+    /// Of the newest frame; 0 where there is none.
+    double newestTotal() const { return frames_.empty() ? 0.0 : gl::totalOf(frames_.back()); }
 
   private:
     std::deque<std::vector<gl::PassTimer::Reading>> frames_;

@@ -17,6 +17,7 @@ class Notices {
     /// `now` in seconds of the window's clock. What went wrong is shown longer.
     void show(std::string text, bool bad, double now);
     void advance(double now);
+    void close() { current_.reset(); }
     const std::optional<Notice>& current() const { return current_; }
 
   private:

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/pause.h"
 #include "frame/warm_up.h"
 #include "frame_setup.h"
 #include "gl/errors.h"
@@ -52,8 +53,15 @@ void PixelProbe::pick(int x, int y) {
 
 void PixelProbe::clear() {
     on_ = complete_ = false;
+    of_ = -1;
     rows_.clear();
     segments_.clear();
+    caption_.clear();
+    if (!working_) release();
+}
+
+/// What is large.
+void PixelProbe::release() {
     samples_.clear();
     oracle_.reset();
     others_.clear();
@@ -62,6 +70,7 @@ void PixelProbe::clear() {
 }
 
 bool PixelProbe::update(Session& session) {
+    if (!on_ && renderer_) release();
     const FrameDriver& driver = session.driver;
     const bool still = driver.settled() && driver.state() == FrameDriver::State::Complete && !driver.preview() &&
                        !session.moment.playback.playing();
@@ -69,17 +78,27 @@ bool PixelProbe::update(Session& session) {
     const FrameRequest& drawn = session.renderer.plan().request;
     if (x_ >= drawn.width || y_ >= drawn.height) return false;  // the window has become smaller
     if (of_ == driver.begun() && complete_) return false;
+    working_ = true;
     try {
-        if (of_ != driver.begun())
-            begin(session);
-        else
-            evaluateNext(session);
+        step(session);
+    } catch (const WorkCancelled&) {
+        working_ = false;
+        of_ = -1;
+        throw;
     } catch (const std::exception& error) {
         caption_ = error.what();
         complete_ = true;
         gl::takeErrors();  // not to be taken for the next picture's
     }
+    working_ = false;
     return true;
+}
+
+void PixelProbe::step(Session& session) {
+    if (of_ != session.driver.begun())
+        begin(session);
+    else
+        evaluateNext(session);
 }
 
 /// Of all camera samples, [stratum][row from the bottom][column], those of the pixel.
@@ -181,6 +200,7 @@ void PixelProbe::traceSamples(const FramePlan& plan, const FrameRenderer& render
             {static_cast<std::uint32_t>(x_), static_cast<std::uint32_t>(plan.request.height - 1 - y_), stratum++},
             triangle,
             {}};
+        pausePoint();
         if (triangle != NO_TRIANGLE) sample.answer = oracle_->resolve(plan, sample.index, triangle);
         samples_.push_back(sample);
     }

@@ -32,9 +32,11 @@ class PixelProbe {
     };
 
     bool on() const { return on_; }
-    /// x from the left, y from the top.
+    /// x from the left, y from the top. Work on another pixel ends at its next pause.
     void pick(int x, int y);
     void clear();
+    /// Within a pause of update(): another pixel has been picked, or none.
+    bool outdated() const { return working_ && of_ < 0; }
     int x() const { return x_; }
     int y() const { return y_; }
 
@@ -71,7 +73,11 @@ class PixelProbe {
     template <typename T>
     std::vector<T> ofPixel(const FrameRequest& request, const std::vector<T>& all) const;
 
+    void release();
+    void step(Session& session);
+
     bool on_ = false, complete_ = false;
+    bool working_ = false;  ///< within update()
     int x_ = 0, y_ = 0;
     int of_ = -1;                            ///< number of the picture that is magnified
     std::optional<FrameRenderer> renderer_;  ///< made when first needed

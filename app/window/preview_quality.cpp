@@ -11,10 +11,20 @@ struct Level {
     int samplesDivisor;
     int mapDivisor;
 };
-constexpr std::array<Level, PreviewQuality::levels> ladder{
-    {{1.0, 1, 1}, {0.7, 1, 1}, {0.5, 1, 1}, {0.5, 2, 1}, {0.35, 2, 2}, {0.35, 4, 4}, {0.25, 4, 4}, {0.2, 16, 32}}};
+constexpr std::array<Level, PreviewQuality::levels> ladder{{{1.0, 1, 1},
+                                                            {0.7, 1, 1},
+                                                            {0.5, 1, 1},
+                                                            {0.35, 1, 1},
+                                                            {0.25, 1, 1},
+                                                            {0.25, 2, 1},
+                                                            {0.25, 4, 1},
+                                                            {0.2, 4, 2},
+                                                            {0.2, 4, 4},
+                                                            {0.2, 16, 32}}};
+constexpr int coarse = 4;  // the first level of the choice of that name
 constexpr double fastMilliseconds = 50.0;
 constexpr int framesUntilRetry = 40;
+constexpr int mostMap = 2048;  // of a preview: finer than any of its pixels
 // Below these nothing can be recognised any more.
 constexpr int leastSamples = 2, leastMap = 256, leastSide = 96;
 
@@ -30,15 +40,22 @@ int stepFor(double milliseconds) {
 }
 }  // namespace
 
+int PreviewQuality::level() const {
+    if (choice_ == Choice::Full) return 0;
+    return choice_ == Choice::Coarse ? std::max(level_, coarse) : level_;
+}
+
 FrameRequest PreviewQuality::reduced(FrameRequest full, int level) const {
     const Level& l = ladder[static_cast<std::size_t>(level)];
     const double least = std::min(1.0, leastSide / static_cast<double>(std::max({full.width, full.height, 1})));
-    const double side = std::max(l.side, least);
-    full.width = std::max(1, static_cast<int>(std::lround(full.width * side)));
-    full.height = std::max(1, static_cast<int>(std::lround(full.height * side)));
+    const double share = std::max(l.side, least);
+    full.width = std::max(1, static_cast<int>(std::lround(full.width * share)));
+    full.height = std::max(1, static_cast<int>(std::lround(full.height * share)));
     full.samplesPerPixel = reducedTo(full.samplesPerPixel, l.samplesDivisor, leastSamples);
-    full.mapSize = {reducedTo(full.mapSize.width, l.mapDivisor, leastMap),
-                    reducedTo(full.mapSize.height, l.mapDivisor, leastMap)};
+    const auto side = [&](int map) {
+        return reducedTo(level > 0 ? std::min(map, mostMap) : map, l.mapDivisor, leastMap);
+    };
+    full.mapSize = {side(full.mapSize.width), side(full.mapSize.height)};
     return full;
 }
 
@@ -63,6 +80,18 @@ void PreviewQuality::measured(int level, double milliseconds) {
             fastFrames_ = 0;
         }
     }
+}
+
+namespace {
+constexpr std::array<const char*, 3> choiceNames{"full", "automatic", "coarse"};
+}  // namespace
+
+std::string nameOf(PreviewQuality::Choice choice) { return choiceNames[static_cast<std::size_t>(choice)]; }
+
+std::optional<PreviewQuality::Choice> previewOf(const std::string& name) {
+    for (std::size_t i = 0; i < choiceNames.size(); ++i)
+        if (name == choiceNames[i]) return static_cast<PreviewQuality::Choice>(i);
+    return std::nullopt;
 }
 
 }  // namespace timeshade

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "record/video_file.h"
+#include "window/free_name.h"
 #include "window/session.h"
 
 namespace timeshade {
@@ -33,9 +34,8 @@ bool whole(const Session& session) {
 
 void Recording::start(Session& session) {
     const std::filesystem::path name = std::filesystem::path(session.scene.name()).stem();
-    path_ = std::filesystem::absolute(fmt::format("timeshade-{}-{}.mp4", name.string(), session.technique.name()))
-                .lexically_normal()
-                .string();
+    const std::string file = fmt::format("timeshade-{}-{}.mp4", name.string(), session.technique.name());
+    path_ = freeName(std::filesystem::absolute(file).lexically_normal()).string();
     VideoFormat format;
     format.width = width_ = session.moment.request.width & ~1;
     format.height = height_ = session.moment.request.height & ~1;

@@ -19,7 +19,8 @@ class Recording {
     /// The last one that was finished; empty if there is none.
     const std::string& lastPath() const { return lastPath_; }
 
-    /// Into "timeshade-SCENE-TECHNIQUE.mp4", at the picture's size (made even) and the playback's rate. Says what is
+    /// Into "timeshade-SCENE-TECHNIQUE.mp4", under a number where there is one,
+    /// at the picture's size (made even) and the playback's rate. Says what is
     /// wrong as a notice.
     void start(Session& session);
     /// Closes the file.

@@ -15,6 +15,8 @@ struct Requests {
     std::optional<std::string> technique;
     std::optional<std::string> comparison;  ///< a technique to compare with; empty for none
     std::optional<std::string> load;        ///< path of a settings file
+    bool reload = false;                    ///< the shaders
+    bool forget = false;                    ///< what techniques remember of frames before
     bool rebuild = false;                   ///< the recipe's settings have changed
     bool snapshot = false;                  ///< compare with a copy of the technique as it is set now
     bool swap = false;                      ///< swap A and B of the comparison
@@ -23,6 +25,15 @@ struct Requests {
     bool recording = false;  ///< start or stop
     bool save = false;       ///< the settings
     bool command = false;    ///< the command line into the clipboard
+    bool full = false;       ///< the full picture, now
+    bool uncached = false;   ///< the picture without anything of frames before
+    bool undo = false, redo = false;
+
+    /// Something is to be replaced that a frame at work refers to.
+    bool replaces() const {
+        return scene || choice || ground || technique || comparison || load || reload || forget || rebuild ||
+               snapshot || swap || recording || uncached || undo || redo;
+    }
 };
 
 }  // namespace timeshade

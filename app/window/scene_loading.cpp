@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // Until then the window stands still, as after any other click; later it says what it is waiting for.
-constexpr auto untilShown = 1s;
+constexpr auto untilShown = 60ms;
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "image/image_file.h"
 #include "measure/view_scale.h"
 #include "report.h"
+#include "window/free_name.h"
 #include "window/session.h"
 
 namespace timeshade {
@@ -33,14 +34,17 @@ bool unfinished(const Session& session) {
     using State = FrameDriver::State;
     const State state = session.driver.state();
     if (state == State::Drawing) return true;
-    if (state != State::Complete) return false;
+    if (state == State::Failed || state == State::Nothing) return false;
+    if (state == State::Cancelled && !session.driver.preview()) return false;  // some renders
     return session.driver.preview() || (session.comparison.on() && !session.comparison.settled(session));
 }
 
 }  // namespace
 
 bool Screenshots::update(Session& session) {
-    if (!session.requests.screenshot || unfinished(session)) return false;
+    if (!session.requests.screenshot) return false;
+    if (session.driver.state() == FrameDriver::State::Cancelled && session.driver.preview()) session.driver.resume();
+    if (unfinished(session)) return false;
     session.requests.screenshot = false;
     if (session.driver.picture() == nullptr) {
         session.notify("There is no picture to save.", true);
@@ -57,10 +61,11 @@ bool Screenshots::update(Session& session) {
 void Screenshots::save(Session& session, bool exr) {
     std::filesystem::path path = std::filesystem::absolute(screenshotName(session)).lexically_normal();
     if (exr) {
-        path.replace_extension(".exr");
+        path = freeName(path.replace_extension(".exr"));
         const bool comparing = session.comparison.on();
         writeExr(path, comparing ? session.comparison.composedRadiance(session) : session.renderer.readRadiance());
     } else {
+        path = freeName(path);
         writePng(path, pictureOf(session), manifestOf(session));
     }
     lastPath_ = path.string();

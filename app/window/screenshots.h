@@ -6,7 +6,7 @@ namespace timeshade {
 
 struct Session;
 
-/// Saves the picture that is shown, as PNG or EXR.
+/// Saves the picture that is shown, as PNG or EXR, under a name that no file has yet.
 class Screenshots {
   public:
     /// Saves what is requested once the picture is whole. True when the request has been answered.

@@ -5,7 +5,9 @@
 
 #include "frame_setup.h"
 #include "measure/technique_variant.h"
+#include "options_text.h"
 #include "scene_catalogue.h"
+#include "window/settings_io.h"
 
 namespace timeshade {
 
@@ -20,16 +22,21 @@ Session::Session(const PictureOptions& givenOptions, std::unique_ptr<Scene> firs
 }
 
 void Session::show(std::unique_ptr<Scene> newScene, const std::string& name) {
+    scene.show(std::move(newScene), name, options.settings);
+    showMoment(scene.current());
+    recentFiles.add(name);
+}
+
+/// Time, shutter, sampling and camera as the options say.
+void Session::showMoment(const Scene& shown) {
     FrameOptions ofShutter = options;
     ofShutter.instant.reset();  // kept apart
-    const FrameRequest first = requestFor(ofShutter, *newScene);
-    scene.show(std::move(newScene), name, options.settings);
-    moment.begin(first, scene.current().duration());
+    const FrameRequest first = requestFor(ofShutter, shown);
+    moment.begin(first, shown.duration());
     moment.instant = options.instant;
     camera.orbit.reset();
-    if (first.cameraPose) camera.orbit.emplace(*first.cameraPose, scene.current().bounds());
+    if (first.cameraPose) camera.orbit.emplace(*first.cameraPose, shown.bounds());
     invalidateAll();
-    recentFiles.add(name);
 }
 
 void Session::rebuildScene() {
@@ -79,6 +86,7 @@ void Session::showOther(std::unique_ptr<Scene> opened, const std::string& name) 
     options.framesPerSecond.reset();
     options.shutterLength.reset();
     keepPicture();
+    options.instant.reset();  // it was one of the other scene's shutter
     camera.savedViews.clear();
     show(std::move(opened), name);
     panels.sceneError.clear();
@@ -158,16 +166,48 @@ void Session::invalidateAll() {
 void Session::become(const PictureOptions& wanted) {
     requireStrata(wanted, "the window");
     std::unique_ptr<Scene> opened = timeshade::openScene(wanted.scene, choiceOf(wanted), wanted.settings);
-    requestFor(wanted, *opened);  // throws for a camera that is not there
+    showAs(wanted, std::move(opened));
+}
+
+void Session::restore(const PictureOptions& wanted) {
+    std::unique_ptr<Scene> opened;
+    if (!hasScene(wanted)) opened = timeshade::openScene(wanted.scene, choiceOf(wanted), wanted.settings);
+    const double frame = moment.playback.frame();
+    showAs(wanted, std::move(opened));
+    moment.playback.jump(frame);
+}
+
+/// Is it the one that is shown, with all of its settings?
+bool Session::hasScene(const PictureOptions& wanted) const {
+    if (wanted.scene != scene.name() || choiceOf(wanted) != choiceOf(options)) return false;
+    if (scene.recipe() == nullptr) return true;
+    const std::string prefix = scene.recipe()->settingsPrefix() + ".";
+    SettingTexts ours, theirs;
+    for (const Setting& setting : settingsOf(*scene.recipe()))
+        if (isChanged(setting)) ours.emplace_back(prefix + setting.key, textOf(setting));
+    for (const auto& setting : wanted.settings)
+        if (setting.first.starts_with(prefix)) theirs.push_back(setting);
+    std::sort(ours.begin(), ours.end());
+    std::sort(theirs.begin(), theirs.end());
+    return ours == theirs;
+}
+
+/// `opened`: the scene; null for the one that is shown.
+void Session::showAs(const PictureOptions& wanted, std::unique_ptr<Scene> opened) {
+    requestFor(wanted, opened ? *opened : scene.current());  // throws for a camera that is not there
     std::unique_ptr<Technique> made = techniqueFor(wanted, renderer.programs());
     loading.cancel();
     options = wanted;
     technique.replace(std::move(made));
     technique.forgetSettings();
-    scene.forgetRecipes();
     view = {options.view, options.techniqueView, options.diagnostic};
     camera.savedViews.clear();
-    show(std::move(opened), options.scene);
+    if (opened) {
+        scene.forgetRecipes();
+        show(std::move(opened), options.scene);
+    } else {
+        showMoment(scene.current());
+    }
     compareAsOptions();
     panels.sceneError.clear();
 }
@@ -212,8 +252,33 @@ void Session::addOtherSettings(SettingTexts& settings) {
     settings.insert(settings.end(), others.begin(), others.end());
 }
 
+void Session::applyUndo() {
+    if (!requests.undo && !requests.redo) return;
+    const std::optional<std::string> text = requests.undo ? undo.undo() : undo.redo();
+    if (!text) return notify(requests.undo ? "There is nothing to undo" : "There is nothing to redo");
+    try {
+        applySettingsText(*this, *text);
+    } catch (const std::exception& error) {
+        notify(error.what(), true);  // as where a scene's file is gone
+    }
+    undo.replaceCurrent(settingsText(*this));
+}
+
+void Session::keepForUndo() {
+    if (!moment.playback.playing() && !loading.on() && !requests.replaces() && !recording.on())
+        undo.keep(settingsText(*this));
+}
+
+std::optional<double> Session::progress() const {
+    const std::optional<double> first = driver.progress(), second = comparison.progress();
+    if (!comparison.on()) return first;
+    if (first) return 0.5 * *first;
+    return second ? std::optional(0.5 + 0.5 * *second) : std::nullopt;
+}
+
 void Session::applyRequests() {
     finishLoading();
+    applyUndo();
     if (requests.scene)
         openScene(*requests.scene);
     else if (requests.choice)
@@ -222,18 +287,36 @@ void Session::applyRequests() {
         rebuildScene();
     if (requests.technique) technique.choose(*requests.technique, options.settings, renderer.programs());
     applyComparison();
+    if (requests.reload) reloadShaders();
+    if (requests.full) {
+        driver.hurry();
+        comparison.hurry();
+    }
+    if (requests.uncached) {
+        invalidateAll();
+        driver.drawUncached();
+        comparison.drawUncached();
+    }
+    driver.setPreview(panels.preview);
+    comparison.setPreview(panels.preview);
+    if (requests.forget) {
+        technique.current().forget();
+        if (comparison.on()) comparison.technique()->forget();
+    }
     requests.scene.reset();
     requests.choice.reset();
     if (const auto ground = std::exchange(requests.ground, std::nullopt)) setGround(*ground);
     requests.technique.reset();
     requests.comparison.reset();
-    requests.rebuild = requests.snapshot = requests.swap = false;
+    requests.full = requests.uncached = requests.undo = requests.redo = false;
+    requests.reload = requests.forget = requests.rebuild = requests.snapshot = requests.swap = false;
 }
 
-void Session::advance(double newNow) {
-    // A picture that was asked for is that of the frame shown when it was.
-    if (!requests.screenshot) moment.advance(newNow - now);
+void Session::advance(double newNow, bool atWork) {
     now = newNow;
+    // A picture that was asked for is that of the frame shown when it was.
+    if (!atWork && !requests.screenshot) moment.advance(now - playedUntil);
+    if (!atWork) playedUntil = now;
     notices.advance(now);
 }
 
@@ -259,7 +342,8 @@ FrameDriver::Wanted Session::wanted(bool mouseHeld) {
             shaders.number,
             moment.playback.playing() || mouseHeld,
             requests.screenshot || recording.on(),
-            recording.on()};
+            recording.on(),
+            moment.instant};
 }
 
 }  // namespace timeshade

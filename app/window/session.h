@@ -12,6 +12,7 @@
 #include "window/comparison.h"
 #include "window/diagnostic_picture.h"
 #include "window/frame_driver.h"
+#include "window/frame_graph.h"
 #include "window/moment.h"
 #include "window/notices.h"
 #include "window/page_pictures.h"
@@ -27,6 +28,7 @@
 #include "window/shown_technique.h"
 #include "window/shown_view.h"
 #include "window/trail_chart.h"
+#include "window/undo_history.h"
 
 namespace timeshade {
 
@@ -43,10 +45,17 @@ struct Session {
     void invalidateAll();
     /// Shows what the options say, as at a start. Throws and stays as it is where that can't be.
     void become(const PictureOptions& wanted);
+    /// The same, but for the frame that is shown; a scene that stays the same is not opened again.
+    void restore(const PictureOptions& wanted);
+    /// Notes the settings as they are, as a step that can be undone, unless they are on their way: something plays, is
+    /// loaded or is to be replaced.
+    void keepForUndo();
+    /// How much of the full picture that is being drawn is done; of two, of both.
+    std::optional<double> progress() const;
     /// Settings of techniques and scenes that are not shown now, where they are not at their defaults.
     void addOtherSettings(SettingTexts& settings);
-    /// Moves the clock on. `newNow` in seconds.
-    void advance(double newNow);
+    /// Moves the clock on, in seconds; and the playback, whose frame stays while `atWork`.
+    void advance(double newNow, bool atWork = false);
     /// The frame that is to be drawn now.
     FrameDriver::Wanted wanted(bool mouseHeld);
     /// The moment's frame as the techniques that are shown ask for it: in a comparison both are drawn on the same
@@ -54,9 +63,11 @@ struct Session {
     FrameRequest askedRequest() const;
     void notify(std::string text, bool bad = false) { notices.show(std::move(text), bad, now); }
 
-    PictureOptions options;  ///< as given; what belongs to the first scene alone is cleared when another is opened
-    std::string backEnd;     ///< of the window's context
-    double now = 0.0;        ///< seconds of the window's clock
+    PictureOptions options;    ///< as given; what belongs to the first scene alone is cleared when another is opened
+    std::string backEnd;       ///< of the window's context
+    double now = 0.0;          ///< seconds of the window's clock
+    std::string building;      ///< what can't be left just now: "building shader shade"; empty for nothing
+    double playedUntil = 0.0;  ///< what the playback has seen of it
 
     // What is shown.
     FrameRenderer renderer;
@@ -86,12 +97,15 @@ struct Session {
 
     // What surrounds it.
     Requests requests;
+    UndoHistory<std::string> undo;  ///< of settingsText
+    FrameGraph graph;
     Notices notices;
     PanelState panels;
     PagePictures pagePictures;
 
   private:
     void show(std::unique_ptr<Scene> scene, const std::string& name);
+    void showMoment(const Scene& shown);
     void openScene(const std::string& name);
     /// The same file with another clip or light.
     void openChoice(const SceneChoice& choice);
@@ -106,6 +120,9 @@ struct Session {
     /// Samples, map and all else that the next scene is to be drawn with, too, into the options.
     void keepPicture();
     void applyComparison();
+    void applyUndo();
+    bool hasScene(const PictureOptions& wanted) const;
+    void showAs(const PictureOptions& wanted, std::unique_ptr<Scene> opened);
     /// Makes the comparison, if any, what the options say.
     void compareAsOptions();
 

@@ -30,6 +30,11 @@ std::string windowState(const Session& session) {
     nlohmann::ordered_json json;
     json["text_size"] = session.panels.textScale;
     json["panels"] = session.panels.visible;
+    json["preview"] = nameOf(session.panels.preview);
+    json["flip"] = session.comparison.flip;
+    const Playback& playback = session.moment.playback;
+    json["speed"] = playback.speed();
+    json["loop"] = {playback.firstFrame(), playback.lastFrame()};
     for (const SavedView& view : session.camera.savedViews)
         json["views"].push_back({{"name", view.name}, {"pose", textOf(view.camera.pose())}});
     return json.dump();
@@ -38,9 +43,20 @@ std::string windowState(const Session& session) {
 /// What is the window's alone. Values that make no sense are named.
 struct WindowState {
     double textScale = 1.0;
-    bool panels = true;
+    bool panels = true, flip = false;
+    PreviewQuality::Choice preview = PreviewQuality::Choice::Automatic;
+    double speed = 1.0;
+    std::optional<std::pair<int, int>> loop;
     std::vector<std::pair<std::string, CameraPose>> views;
 };
+
+bool isPart(const nlohmann::json& value) {
+    constexpr int most = 1000000;
+    if (!value.is_array() || value.size() != 2) return false;
+    for (const nlohmann::json& frame : value)
+        if (!frame.is_number_integer() || frame.get<long long>() < 0 || frame.get<long long>() > most) return false;
+    return value[0].get<int>() <= value[1].get<int>();
+}
 
 WindowState windowStateOf(const std::string& text, const std::string& path) {
     WindowState state;
@@ -51,6 +67,14 @@ WindowState windowStateOf(const std::string& text, const std::string& path) {
             state.textScale = value.get<double>();
         } else if (key == "panels" && value.is_boolean()) {
             state.panels = value.get<bool>();
+        } else if (key == "flip" && value.is_boolean()) {
+            state.flip = value.get<bool>();
+        } else if (key == "preview" && value.is_string() && previewOf(value.get<std::string>())) {
+            state.preview = *previewOf(value.get<std::string>());
+        } else if (key == "speed" && value.is_number() && value.get<double>() >= 0.01 && value.get<double>() <= 1.0) {
+            state.speed = value.get<double>();
+        } else if (key == "loop" && isPart(value)) {
+            state.loop = {value[0].get<int>(), value[1].get<int>()};
         } else if (key == "views" && value.is_array()) {
             for (const nlohmann::json& view : value)
                 if (view.is_object() && view.contains("name") && view["name"].is_string() && view.contains("pose") &&
@@ -58,9 +82,10 @@ WindowState windowStateOf(const std::string& text, const std::string& path) {
                     state.views.emplace_back(view["name"].get<std::string>(),
                                              poseFromText(view["pose"].get<std::string>()));
         } else {
-            throw Error(
-                fmt::format("{}: \"window\" holds \"{}\": {}; expected text_size from 0.75 to 2.5, panels or views",
-                            path, key, value.dump()));
+            throw Error(fmt::format(
+                "{}: \"window\" holds \"{}\": {}; expected text_size from 0.75 to 2.5, panels, preview, flip, "
+                "speed from 0.01 to 1, loop or views",
+                path, key, value.dump()));
         }
     }
     return state;
@@ -104,6 +129,9 @@ PictureOptions pictureOptions(Session& session) {
     options.compared.clear();
     if (session.comparison.on()) {
         options.compared = session.comparison.variants(session);
+        // Each of the two says by itself what it is set to.
+        std::erase_if(options.settings,
+                      [&](const auto& setting) { return setting.first.starts_with(session.technique.name() + "."); });
         options.compareMode = session.comparison.mode;
         options.seam = session.comparison.seam;
         options.techniqueView.clear();
@@ -121,11 +149,64 @@ std::string commandOf(Session& session) {
     return shotCommand(options, screenshotName(session));
 }
 
-void saveSettings(Session& session, const std::string& path) {
+namespace {
+
+/// With the settings of others. These are of techniques by their names, and so of the two that are compared, unless
+/// those name all of theirs.
+PictureOptions savedOptions(Session& session) {
     PictureOptions options = pictureOptions(session);
     session.addOtherSettings(options.settings);
+    if (!session.comparison.on()) return options;
+    options.compared.clear();
+    for (Technique* technique : {&session.technique.current(), session.comparison.technique()}) {
+        std::string variant = technique->description().name;
+        for (const Setting& setting : settingsOf(*technique)) variant += ":" + setting.key + "=" + textOf(setting);
+        options.compared.push_back(std::move(variant));
+    }
+    return options;
+}
+
+}  // namespace
+
+void saveSettings(Session& session, const std::string& path) {
+    PictureOptions options = savedOptions(session);
     const std::string text = settingsJson(options, windowState(session));
     writeFileAtomically(path, text);
+}
+
+std::string settingsText(Session& session) {
+    PictureOptions options = savedOptions(session);
+    // Settings of others come in the order in which they were shown.
+    std::sort(options.settings.begin(), options.settings.end());
+    const FrameOptions defaults;
+    options.width = defaults.width;
+    options.height = defaults.height;
+    options.frame.reset();
+    return settingsJson(options, windowState(session));
+}
+
+namespace {
+
+void applyWindowState(Session& session, const WindowState& state) {
+    session.panels.textScale = state.textScale;
+    session.panels.visible = state.panels;
+    session.panels.preview = state.preview;
+    session.comparison.flip = state.flip;
+    Playback& playback = session.moment.playback;
+    playback.setSpeed(state.speed);
+    if (state.loop && state.loop->second < playback.loopFrames())
+        playback.setPart(state.loop->first, state.loop->second);
+    for (const auto& [name, pose] : state.views)
+        session.camera.savedViews.push_back({name, OrbitCamera(pose, session.scene.current().bounds())});
+}
+
+}  // namespace
+
+void applySettingsText(Session& session, const std::string& text) {
+    const std::string name = "undo";
+    const WindowState state = windowStateOf(text, name);
+    session.restore(std::get<ViewOptions>(parseWithSettings({"view"}, settingsOfJson(text, name))));
+    applyWindowState(session, state);
 }
 
 void loadSettings(Session& session, const std::string& path) {
@@ -133,10 +214,7 @@ void loadSettings(Session& session, const std::string& path) {
     const std::vector<FileSetting> settings = settingsOfJson(text, path);
     const WindowState state = windowStateOf(text, path);
     session.become(std::get<ViewOptions>(parseWithSettings({"view"}, settings)));
-    session.panels.textScale = state.textScale;
-    session.panels.visible = state.panels;
-    for (const auto& [name, pose] : state.views)
-        session.camera.savedViews.push_back({name, OrbitCamera(pose, session.scene.current().bounds())});
+    applyWindowState(session, state);
 }
 
 }  // namespace timeshade

@@ -22,19 +22,38 @@ void dumpScene(const Session& session, UiDump& dump) {
     dump.state("hand_camera", session.camera.orbit.has_value());
 }
 
+/// What the renderer says of the picture that is shown, from when it was drawn.
+struct Drawn {
+    int number = 0;
+    nlohmann::json manifest;
+};
+
+void note(Drawn& drawn, int number, const FrameRenderer& renderer, const std::string& technique) {
+    if (number == 0 || number == drawn.number) return;
+    const FrameRequest& request = renderer.plan().request;
+    drawn = {number,
+             {{"technique", technique},
+              {"size", {request.width, request.height}},
+              {"spp", request.samplesPerPixel},
+              {"map", request.mapSize.text()}}};
+}
+
 void dumpPicture(const Session& session, UiDump& dump) {
     static constexpr const char* names[] = {"none", "drawing", "complete", "cancelled", "failed"};
     const FrameDriver& driver = session.driver;
     dump.state("picture", names[static_cast<int>(driver.state())]);
-    dump.state("settled", driver.settled());
     dump.state("preview", driver.preview());
     dump.state("begun", driver.begun());
     if (driver.hasPlan()) {
-        const FrameRequest& drawn = session.renderer.plan().request;
-        dump.state("drawn", {drawn.width, drawn.height});
         dump.state("renders", {session.renderer.rendersDone(), session.renderer.renders()});
     }
     if (driver.state() == FrameDriver::State::Failed) dump.state("failure", driver.failure());
+    if (driver.shown().number > 0) dump.state("drawn", {driver.shown().drawn.width, driver.shown().drawn.height});
+    static Drawn drawn;
+    note(drawn, driver.shown().number, session.renderer, session.technique.name());
+    dump.state("manifest", drawn.manifest);
+    dump.state("shown_preview", driver.shown().preview);
+    dump.state("undo", {session.undo.undoable(), session.undo.redoable()});
     dump.state("shader_log", session.shaders.log);
     dump.state("shaders", session.shaders.number);
 }
@@ -46,7 +65,6 @@ void dumpViews(Session& session, UiDump& dump) {
     dump.state("diagnostic", {diagnostics[static_cast<int>(session.view.diagnostic)],
                               session.driver.settled() && session.diagnosticPicture.complete()});
     dump.state("compare", comparison.on() ? comparison.variants(session) : std::vector<std::string>{});
-    dump.state("compared", comparison.settled(session));
     dump.state("seam", comparison.seam);
     dump.state("probe", {session.probe.on(), session.probe.complete()});
 }

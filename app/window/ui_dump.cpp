@@ -22,8 +22,11 @@ void UiDump::lastItem(const std::string& id, const nlohmann::json& value) {
     if (!enabled()) return;
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const auto pixel = [](float x) { return static_cast<int>(x); };
+    // In a region that scrolls, an item may reach below its edge.
+    const float centre = 0.5f * (low.y + high.y), top = ImGui::GetWindowPos().y;
+    const bool inside = centre >= top && centre <= top + ImGui::GetWindowSize().y;
     widgets_[id] = {{"rect", std::array<int, 4>{pixel(low.x), pixel(low.y), pixel(high.x), pixel(high.y)}},
-                    {"visible", ImGui::IsItemVisible()},
+                    {"visible", ImGui::IsItemVisible() && inside},
                     {"value", value}};
 }
 

@@ -11,6 +11,7 @@
 #include "image/image_file.h"
 #include "measure/user_folder.h"
 #include "settings_file.h"
+#include "window/preview_quality.h"
 
 namespace timeshade {
 
@@ -41,6 +42,15 @@ bool take(const std::string& key, const nlohmann::json& value, WindowMemory& mem
             if (!unfolded.is_boolean()) return false;
             memory.sections[id] = unfolded.get<bool>();
         }
+    } else if (key == "story_closed") {
+        if (!value.is_boolean()) return false;
+        memory.storyClosed = value.get<bool>();
+    } else if (key == "panel_width") {
+        if (!value.is_number() || value.get<double>() < 0.0 || value.get<double>() > maxSide) return false;
+        memory.panelWidth = value.get<double>();
+    } else if (key == "preview") {
+        if (!value.is_string() || !previewOf(value.get<std::string>())) return false;
+        memory.preview = value.get<std::string>();
     } else if (key == "recent") {
         if (!value.is_array()) return false;
         for (const nlohmann::json& path : value) {
@@ -71,6 +81,9 @@ std::string jsonOf(const WindowMemory& memory) {
     if (memory.width >= leastWidth && memory.height >= leastHeight) json["size"] = {memory.width, memory.height};
     json["text_size"] = memory.textScale;
     json["sections"] = memory.sections;
+    json["story_closed"] = memory.storyClosed;
+    json["panel_width"] = memory.panelWidth;
+    json["preview"] = memory.preview;
     json["recent"] = memory.recentScenes;
     // Names of files need not be UTF-8.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";

@@ -15,6 +15,9 @@ struct WindowMemory {
     std::map<std::string, bool>
         sections;  ///< of the side panel: unfolded or not, where that is not as at a first start
     std::vector<std::string> recentScenes;  ///< absolute paths, the last first
+    bool storyClosed = false;               ///< the card at the start has been closed for good
+    double panelWidth = 0.0;                ///< 0 as at a first start
+    std::string preview = "automatic";      ///< full, automatic or coarse
 
     bool operator==(const WindowMemory&) const = default;
 };

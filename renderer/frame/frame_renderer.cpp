@@ -9,6 +9,8 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/pause.h"
+#include "core/work_part.h"
 #include "frame/buffer_check.h"
 #include "gl/errors.h"
 #include "gl/read_back.h"
@@ -23,6 +25,9 @@ namespace {
 /// compile others. A program that is dropped in between is compiled again in frames that are timed. Far more than these
 /// would only take memory, some 2 MB each on a software renderer.
 constexpr std::size_t programsKept = 128;
+
+/// Where the passes begin in the work on a render, as a rule: for progress alone.
+constexpr double buildFrom = 0.3, lookupFrom = 0.4, shadeFrom = 0.65;
 
 /// By all renderers: a technique may be drawn by one after another, as when a window swaps two, and one count tells
 /// what came first. A renderer has counted once before it draws.
@@ -127,6 +132,19 @@ void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const
 
 bool FrameRenderer::step() {
     if (complete()) return true;
+    try {
+        const WorkPart part = workPart(done_, renders_);
+        drawRender();
+    } catch (const WorkCancelled&) {
+        giveUp();
+        throw;
+    }
+    if (checked_) checkBuffers();
+    if (complete()) endFrame();
+    return complete();
+}
+
+void FrameRenderer::drawRender() {
     render_ = renderOf(*plan_, done_, instants_);
     const FramePlan& render = *render_;
     mesh_.update(render);
@@ -135,18 +153,22 @@ bool FrameRenderer::step() {
     mesh_.bind();
     {
         const auto timed = timer_.scope("sample");
+        const WorkPart part(0.0, buildFrom);
         drawSamples(render);
     }
     maps_.begin(render, mesh_);
     const TechniqueFrame frame = techniqueFrame();
     {
         const auto timed = timer_.scope("build");
+        const WorkPart part(buildFrom, lookupFrom);
         technique_->build(frame);
     }
     {
         const auto timed = timer_.scope("lookup");
+        const WorkPart part(lookupFrom, shadeFrom);
         drawLookup(frame);
     }
+    const WorkPart part(shadeFrom, 1.0);
     if (techniqueView_) {
         const auto timed = timer_.scope("view");
         technique_->drawView(frame, techniqueView_->name, *values_);
@@ -157,9 +179,19 @@ bool FrameRenderer::step() {
     gl::requireNoErrors(fmt::format("a frame of {}", technique_->description().name));
     ++done_;
     weightDone_ += static_cast<double>(render.block.weight);
-    if (checked_) checkBuffers();
-    if (complete()) endFrame();
-    return complete();
+}
+
+/// Some caches say what they are about to hold, and passes may have changed the state that others count on.
+void FrameRenderer::giveUp() {
+    renders_ = done_ = 0;
+    invalidateAll();
+    technique_->forget();
+    timer_.finishFrame();
+    glDisable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_GREATER);
 }
 
 TechniqueFrame FrameRenderer::techniqueFrame() {

@@ -30,7 +30,7 @@ struct GpuMemory {
 /// The one function that draws a frame: window, headless pictures, tests and measurements all call it.
 ///   plan -> sample pass -> technique (build, lookup) -> shade -> display
 /// A technique that draws the frame many times (brute force) is drawn one render a step, so that a window stays alive;
-/// so is a shutter of many linear pieces, one piece a step.
+/// so is a shutter of many linear pieces, one piece a step. Within a step there are pause points.
 class FrameRenderer {
   public:
     /// Needs a current context for as long as it lives.
@@ -49,7 +49,8 @@ class FrameRenderer {
     /// or the buffers can't be had. `techniqueView` names one of the technique's own views, which is then shown as a
     /// heat map instead of `view`; throws UsageError where the technique has no such view.
     void begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView = {});
-    /// Draws the next render. True when the frame is complete.
+    /// Draws the next render. True when the frame is complete. Where a pause (core/pause.h) ends it, the frame is given
+    /// up and nothing of it or of frames before is used again; a technique with a history has forgotten it.
     bool step();
     /// begin, and step to the end.
     void draw(FramePlan plan, Technique& technique, View view, const std::string& techniqueView = {});
@@ -94,6 +95,8 @@ class FrameRenderer {
     GpuMemory memory() const;
 
   private:
+    void drawRender();
+    void giveUp();
     void resize(int width, int height, int strata);
     void checkBuffers() const;
     void forgetPast(Technique& technique);

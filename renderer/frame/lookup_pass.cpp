@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "core/work_part.h"
+
 namespace timeshade {
 
 namespace {
@@ -70,6 +72,7 @@ const gl::Program& LookupPass::use(const TechniqueFrame& frame, const Lookup& lo
 void LookupPass::drawStrata(const TechniqueFrame& frame, const gl::Program& program, const gl::Framebuffer& target,
                             const gl::Texture& lit) {
     for (std::uint32_t stratum = 0; stratum < frame.plan.block.strata; ++stratum) {
+        const WorkPart part = workPart(static_cast<int>(stratum), static_cast<int>(frame.plan.block.strata));
         target.attach(GL_COLOR_ATTACHMENT0, lit, static_cast<int>(stratum));
         target.bindForDrawing(lit.width(), lit.height());
         program.set("stratum", stratum);

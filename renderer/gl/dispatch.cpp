@@ -7,6 +7,7 @@
 #include <glad/gl.h>
 
 #include "core/error.h"
+#include "gl/pause_point.h"
 
 namespace timeshade::gl {
 
@@ -31,6 +32,7 @@ void dispatch(std::size_t groups) {
             "{} work groups are needed, this device's GL_MAX_COMPUTE_WORK_GROUP_COUNT is {} x {}: lower --map", groups,
             longest, limitOf(1)));
     glDispatchCompute(static_cast<GLuint>(groupsFor(groups, rows)), static_cast<GLuint>(rows), 1);
+    pausePoint();
 }
 
 }  // namespace timeshade::gl

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/pause.h"
 #include "gl/errors.h"
 #include "gl/waits.h"
 
@@ -24,6 +25,7 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), ste
         step.beginQuery = timer.timestamp();
     }
     step.begin = std::chrono::steady_clock::now();
+    step.paused = timePaused();
     injectErrorForTest(step.name);
     timer.current_.push_back(std::move(step));
 }
@@ -37,6 +39,7 @@ PassTimer::Scope::~Scope() {
         step.end = std::chrono::steady_clock::now();
         step.endQuery = timer_.timestamp();
     }
+    step.paused = timePaused() - step.paused;
 }
 
 GLuint PassTimer::timestamp() {
@@ -54,7 +57,7 @@ GLuint PassTimer::timestamp() {
 std::vector<PassTimer::Reading> PassTimer::read(const Frame& frame) {
     std::vector<Reading> readings;
     for (const Step& step : frame) {
-        const double host = std::chrono::duration<double, std::milli>(step.end - step.begin).count();
+        const double host = std::chrono::duration<double, std::milli>(step.end - step.begin - step.paused).count();
         double milliseconds = host;
         if (clock_ == Clock::Timestamps) {
             GLuint64 begin = 0, end = 0;

@@ -12,8 +12,9 @@ namespace timeshade::gl {
 
 /// How long each named step of a frame took on the device. On hardware: 64-bit GL_TIMESTAMP pairs, read when they are
 /// there. On a software renderer: the wall clock around glFinish, since a timestamp there says when a command was
-/// rasterised and leaves out the vertex work. Steps of one name within a frame add up. A step inside another is named
-/// "build/collect" and is part of that one's time: who adds up a frame leaves names with a slash out.
+/// rasterised and leaves out the vertex work; pauses (core/pause.h) are left out. Steps of one name within a frame add
+/// up. A step inside another is named "build/collect" and is part of that one's time: who adds up a frame leaves names
+/// with a slash out.
 class PassTimer {
   public:
     enum class Clock { Timestamps, Finish };
@@ -53,6 +54,7 @@ class PassTimer {
         std::string name;
         GLuint beginQuery = 0, endQuery = 0;
         std::chrono::steady_clock::time_point begin, end;
+        std::chrono::steady_clock::duration paused{};  ///< before it began; then within it
     };
     using Frame = std::vector<Step>;
     GLuint timestamp();

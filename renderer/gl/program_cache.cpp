@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/pause.h"
 
 namespace timeshade::gl {
 
@@ -12,6 +13,7 @@ const Program& ProgramCache::get(const ProgramDescription& description) {
     for (const auto& [name, value] : description.defines) key += "|" + name + "=" + value;
     auto found = programs_.find(key);
     if (found == programs_.end()) {
+        announceWork("building shader " + description.label);
         found = programs_.emplace(std::move(key), Entry{Program(description), description, 0}).first;
         ++compiled_;
     }

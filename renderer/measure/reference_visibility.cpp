@@ -1,6 +1,7 @@
 #include "measure/reference_visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -92,12 +93,17 @@ bool ReferenceVisibilityBuilder::step() {
     const auto first = static_cast<std::uint32_t>(rowsDone_ % height);
     const auto rows = std::min<std::uint32_t>(rowsPerStep, static_cast<std::uint32_t>(height) - first);
     const auto rays = static_cast<std::uint32_t>(result_->rays / 2 / pieces());
+    // Both before either counts: a pause may end the work.
+    std::array<std::vector<VisibilityMean>, 2> means;
+    for (std::size_t half = 0; half < 2; ++half) {
+        const std::uint32_t seed = (half == 0 ? firstSeed : secondSeed) + 0x100u * static_cast<std::uint32_t>(piece);
+        means[half] = oracle_->pixelMeans(plan, first, rows, rays, seed);
+    }
     for (int half = 0; half < 2; ++half) {
         std::vector<VisibilityMean>& sums = sums_[static_cast<std::size_t>(half)];
         sums.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        const std::uint32_t seed = (half == 0 ? firstSeed : secondSeed) + 0x100u * static_cast<std::uint32_t>(piece);
         std::size_t pixel = std::size_t{first} * static_cast<std::size_t>(width);
-        for (const VisibilityMean& mean : oracle_->pixelMeans(plan, first, rows, rays, seed)) add(mean, sums[pixel++]);
+        for (const VisibilityMean& mean : means[static_cast<std::size_t>(half)]) add(mean, sums[pixel++]);
     }
     rowsDone_ += static_cast<int>(rows);
     if (rowsDone_ % height == 0) oracle_.reset();

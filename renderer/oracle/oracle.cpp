@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/parallel.h"
 #include "oracle/implementation.h"
+#include "oracle/parallel_rows.h"
 #include "oracle/resolve_primary.h"
 
 namespace timeshade {
@@ -24,7 +24,7 @@ std::size_t sampleCount(const FramePlan& plan) {
 /// Calls work(first) for each packet of samples side by side in a row, all strata.
 template <class Work>
 void forEachPacket(const FramePlan& plan, const Work& work) {
-    forEachOf(plan.block.imageSize.y, 4, [&](std::size_t row) {
+    forEachPausing(plan.block.imageSize.y, 4, [&](std::size_t row) {
         const auto y = static_cast<std::uint32_t>(row);
         for (std::uint32_t stratum = 0; stratum < plan.block.strata; ++stratum)
             for (std::uint32_t x = 0; x < plan.block.imageSize.x; x += RayPacket::size)

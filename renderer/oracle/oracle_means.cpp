@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/parallel.h"
 #include "oracle/implementation.h"
+#include "oracle/parallel_rows.h"
 #include "shared/sample_pattern.shared.h"
 #include "shared/shutter_response.shared.h"
 
@@ -101,7 +101,7 @@ std::vector<VisibilityMean> Oracle::pixelMeans(const FramePlan& plan, std::uint3
                                                std::uint32_t rays, std::uint32_t seed) const {
     const std::uint32_t width = plan.block.imageSize.x;
     std::vector<VisibilityMean> means(std::size_t{width} * rows);
-    forEachOf(rows, 4, [&](std::size_t i) {
+    forEachPausing(rows, 4, [&](std::size_t i) {
         const auto row = static_cast<std::uint32_t>(i);
         for (std::uint32_t x = 0; x < width; ++x) {
             const RayPattern pattern({x, firstRow + row}, 0.0f, 1.0f, rays, seed);
@@ -115,7 +115,7 @@ std::vector<VisibilityMean> Oracle::footprintMeans(const FramePlan& plan, std::s
                                                    std::uint32_t rays, std::uint32_t seed) const {
     const auto& instances = implementation_->mesh->topology->triangleInstances;
     std::vector<VisibilityMean> means(footprints.size());
-    forEachOf(footprints.size(), 4, [&](std::size_t i) {
+    forEachPausing(footprints.size(), 4, [&](std::size_t i) {
         const SampleFootprint& over = footprints[i];
         if (over.triangle >= instances.size()) return;
         // Two samples of a pixel share no random numbers.

@@ -2,9 +2,9 @@
 #include <limits>
 #include <tuple>
 
-#include "core/parallel.h"
 #include "oracle/implementation.h"
 #include "oracle/oracle.h"
+#include "oracle/parallel_rows.h"
 #include "oracle/segment_triangle.h"
 
 namespace timeshade {
@@ -39,7 +39,7 @@ SeenByLight Oracle::seenByLight(const FramePlan& plan, const glm::dvec2& place, 
 std::vector<SeenByLight> Oracle::seenAlong(const FramePlan& plan, const MapLine& line, std::uint32_t columns,
                                            std::uint32_t rows) const {
     std::vector<SeenByLight> seen(std::size_t{columns} * rows);
-    forEachOf(rows, 4, [&](std::size_t row) {
+    forEachPausing(rows, 4, [&](std::size_t row) {
         for (std::uint32_t column = 0; column < columns; ++column)
             seen[std::size_t{row} * columns + column] =
                 seenByLight(plan, line.at((column + 0.5) / columns), (row + 0.5) / rows);

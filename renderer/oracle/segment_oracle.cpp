@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/parallel.h"
+#include "oracle/parallel_rows.h"
 #include "oracle/seen_segments.h"
 #include "oracle/segment_light.h"
 #include "oracle/segment_triangle.h"
@@ -65,7 +65,7 @@ std::vector<SeenSegment> SegmentOracle::seenBy(const FramePlan& plan, glm::vec2 
 std::vector<std::vector<SeenSegment>> SegmentOracle::seenByAll(const FramePlan& plan,
                                                                std::span<const glm::vec2> places) const {
     std::vector<std::vector<SeenSegment>> seen(places.size());
-    forEachOf(places.size(), 64, [&](std::size_t i) { seen[i] = seenBy(plan, places[i]); });
+    forEachPausing(places.size(), 64, [&](std::size_t i) { seen[i] = seenBy(plan, places[i]); });
     return seen;
 }
 
@@ -81,7 +81,8 @@ std::vector<LitSegment> SegmentOracle::litOver(const FramePlan& plan, glm::vec2 
 std::vector<std::vector<LitSegment>> SegmentOracle::litByAll(const FramePlan& plan,
                                                              std::span<const glm::vec2> places) const {
     std::vector<std::vector<LitSegment>> lit(places.size());
-    forEachOf(places.size(), 64, [&](std::size_t i) { lit[i] = litOver(plan, places[i], seenBy(plan, places[i])); });
+    forEachPausing(places.size(), 64,
+                   [&](std::size_t i) { lit[i] = litOver(plan, places[i], seenBy(plan, places[i])); });
     return lit;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "gl/framebuffer.h"
+#include "gl/pause_point.h"
 #include "gl/program.h"
 #include "gl/vertex_array.h"
 
 namespace timeshade {
 
-/// One triangle over the whole viewport (passes/fullscreen.vert); the fragment shader does the work.
+/// One triangle over the whole viewport (passes/fullscreen.vert); the fragment shader does the work, which may pause.
 class Fullscreen {
   public:
     Fullscreen() : none_("no attributes") {}
@@ -14,7 +15,7 @@ class Fullscreen {
     void draw(const gl::Program& program) const {
         program.use();
         glBindVertexArray(none_.name());
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+        gl::drawInBands([] { glDrawArrays(GL_TRIANGLES, 0, 3); });
     }
     const gl::VertexArray& noAttributes() const { return none_; }
 

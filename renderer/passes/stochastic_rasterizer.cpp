@@ -5,6 +5,8 @@
 #include <string>
 
 #include "core/check.h"
+#include "core/work_part.h"
+#include "gl/pause_point.h"
 
 namespace timeshade {
 
@@ -38,6 +40,15 @@ void copyLayer(const gl::Texture& from, int fromLayer, const gl::Texture& to, in
                        toLayer, from.width(), from.height(), 1);
 }
 
+/// Takes a texture off a framebuffer, even where the work ends at a pause.
+struct Detached {
+    const gl::Framebuffer& target;
+    bool attached;
+    ~Detached() {
+        if (attached) target.detach(GL_COLOR_ATTACHMENT1);
+    }
+};
+
 }  // namespace
 
 StochasticRasterizer::StochasticRasterizer(gl::ProgramCache& programs)
@@ -66,7 +77,6 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
         programs_.get({"stochastic points", "passes/stochastic_points.vert", "passes/stochastic.frag", defines});
     const gl::Program& rectangles = programs_.get(
         {"stochastic rectangles", "passes/stochastic_rectangles.vert", "passes/stochastic.frag", defines});
-
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
@@ -74,12 +84,14 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
     glDisable(GL_BLEND);
     glEnable(GL_PROGRAM_POINT_SIZE);
     target_.setColorCount(start ? 2 : color ? 1 : 0);
+    const Detached afterwards{target_, start != nullptr};
     if (start) {
         const GLfloat nothing = 0.0f;
         glClearTexImage(start->dynamicPixels.name(), 0, GL_RED, GL_FLOAT, &nothing);
         target_.attach(GL_COLOR_ATTACHMENT1, start->dynamicPixels);
     }
     for (std::uint32_t stratum = 0; stratum < strata.count; ++stratum) {
+        const WorkPart part = workPart(static_cast<int>(stratum), static_cast<int>(strata.count));
         const int layer = static_cast<int>(stratum), depthLayer = depth.layers() > 1 ? layer : 0;
         if (start) {
             copyLayer(start->color, layer, *color, layer);
@@ -106,8 +118,8 @@ void StochasticRasterizer::draw(const GpuMesh& mesh, const ViewPlan& view,
                 glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.largeCount));
             }
         }
+        gl::pausePoint();
     }
-    if (start) target_.detach(GL_COLOR_ATTACHMENT1);
     glDisable(GL_DEPTH_TEST);
 }
 

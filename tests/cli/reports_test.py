@@ -338,6 +338,14 @@ class Sequences(ProgramTest):
             self.assertTrue((self.folder / "new" / "folder" / f"{scene}.png").read_bytes() ==
                             self.shot(scene, "F.png", *QUICK))
 
+    def test_pictures_of_two_techniques(self):
+        pair = (*QUICK, "--compare", "tsm,exact", "--seam", "0.3")
+        text = self.succeed("pictures", "-o", "pair", *pair)
+        for scene in SCENES:
+            self.assertRegex(text, rf"(?m)^{scene}, tsm +[\d. ]+ /.*/pair/{scene}\.png$")
+            self.assertRegex(text, rf"(?m)^{scene}, exact +[\d. ]+ /.*/pair/{scene}\.png$")
+            self.assertTrue((self.folder / "pair" / f"{scene}.png").read_bytes() == self.shot(scene, "F.png", *pair))
+
     def test_every_output_names_the_device(self):
         line = self.succeed("shot", "chess", "-o", "F.png", *QUICK)
         self.assertRegex(line, r"^/.*/F\.png  [\d.]+ ms with compiling shaders  .+ \(.+\)\n$")

@@ -89,6 +89,7 @@ ABOUT = {
     "tests/verify/commands_test.py": ("accumulation", "history", "static", "tsm"),
     "tests/verify/dump_test.py": ("tsm",),
     "tests/verify/readme_test.py": ("accumulation",),
+    "tests/window/alive_test.py": ("static", "tsm"),
     "tests/window/desk.py": ("accumulation",),
     "tests/window/settings_test.py": ("accumulation", "exact", "static", "tsm"),
     "tests/window/techniques_test.py": ("exact", "static", "tsm"),

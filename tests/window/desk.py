@@ -17,6 +17,8 @@ SCREEN = (1600, 1000)
 # A small picture: a software renderer draws it in well under a second. The driver's complaints end in exit code 1.
 QUICK = ("--size", "900x600", "--spp", "2", "--map", "256", "--set", "accumulation.renders=4", "--gl-debug")
 PANEL_WIDTH = 340
+STATES_HEIGHT = 40
+TABS = ("technique", "scene", "compare", "measure")
 
 
 def missing_tools():
@@ -32,6 +34,10 @@ class Picture:
     def crop(self, x0, y0, x1, y1):
         rows = [self.data[3 * (y * self.width + x0):3 * (y * self.width + x1)] for y in range(y0, y1)]
         return Picture(x1 - x0, y1 - y0, b"".join(rows))
+
+    def blackened(self, rows):
+        """The uppermost rows are black."""
+        return Picture(self.width, self.height, bytes(3 * self.width * rows) + self.data[3 * self.width * rows:])
 
     def grey(self):
         return [(2 * r + 5 * g + b) // 8 for r, g, b in zip(self.data[0::3], self.data[1::3], self.data[2::3])]
@@ -193,8 +199,27 @@ class Window:
             self.hand("click", "4" if notches > 0 else "5")
         self.frames(2)
 
+    def open_tab(self, name):
+        x0, y0, x1, y1 = self.widget(f"tab/{name}")["rect"]
+        self.press_at((x0 + x1) / 2, (y0 + y1) / 2)
+        self.wait(lambda dump: dump["widgets"].get(f"tab/{name}", {}).get("value"), f"the tab {name}")
+        self.frames(2)
+
+    def find_tab(self, name):
+        """Opens the tab of the side panel that the widget is on, where that is not open."""
+        for tab in TABS:
+            if self.widget(name) is not None or self.widget(f"tab/{tab}") is None:
+                return
+            self.open_tab(tab)
+
+    def value(self, name):
+        """Of a widget, whatever tab it is on."""
+        self.find_tab(name)
+        return self.widget(name)["value"]
+
     def reveal(self, name):
-        """Scrolls the side panel until the widget can be clicked. Returns its rectangle."""
+        """Opens its tab and scrolls the side panel until the widget can be clicked. Returns its rectangle."""
+        self.find_tab(name)
         for _ in range(60):
             widget = self.widget(name)
             assert widget is not None, f"no widget {name}; there are {sorted(self.dump()['widgets'])}"
@@ -253,7 +278,10 @@ class Window:
         return read_ppm(data)
 
     def look_at_picture(self):
-        """Only the picture, without panels."""
+        """Only the picture, without panels and without the row of states at its upper edge."""
+        return self.look_at_whole_picture().blackened(STATES_HEIGHT)
+
+    def look_at_whole_picture(self):
         (width, height), (window_width, _) = self.state()["drawn"], self.state()["window"]
         return self.look().crop(window_width - width, 0, window_width, height)
 

@@ -38,7 +38,7 @@ TEST(SceneLoading, WhatIsGivenUpIsNotWaitedFor) {
     });
     ASSERT_TRUE(loading.on());
     EXPECT_EQ(loading.take(), nullptr);
-    EXPECT_EQ(loading.text().substr(0, 34), "loading slow.glb: meshes 2 of 3, 1");
+    EXPECT_EQ(loading.text().substr(0, 31), "loading slow.glb: meshes 2 of 3");
     loading.cancel();
     EXPECT_FALSE(loading.on());
     loading.begin("pillars", [](const LoadingWatch& watch) { return openScene("pillars", SceneChoice{}, {}, watch); });
@@ -241,6 +241,16 @@ TEST(Layout, NothingOverlapsOrSticksOut) {
     const Layout usual = layoutOf({1280.0f, 720.0f}, 1.0f, true);
     EXPECT_FALSE(overlap(usual.side, usual.picture));
     EXPECT_FALSE(overlap(usual.transport, usual.picture));
+}
+
+TEST(Layout, ASmallWindowShowsItsPicture) {
+    const Layout small = layoutOf({500.0f, 400.0f}, 1.0f, true);
+    EXPECT_FALSE(overlap(small.side, small.picture));
+    EXPECT_GE(small.picture.size.x, 200.0f);
+    EXPECT_GE(small.side.size.x, 200.0f);
+    const Layout wide = layoutOf({1500.0f, 900.0f}, 1.0f, true, 500.0f);
+    EXPECT_EQ(wide.side.size.x, 500.0f);
+    EXPECT_EQ(layoutOf({1500.0f, 900.0f}, 1.0f, true, 5000.0f).picture.size.x, 280.0f) << "some is left";
 }
 
 TEST(FrameTimes, MedianOfTheLastFrames) {

@@ -23,18 +23,18 @@ class Layout(WindowTest):
         window.settle(window=[1280, 720])
         shutil.copy(pathlib.Path(__file__).parents[2] / "assets/scenes/pillars.glb", folder / "my pillars.glb")
         window.resize(1100, 640)
-        self.assertFalse(window.widget("section.plan")["value"])
+        self.assertFalse(window.value("section.plan"))
         window.click("section.plan")
+        window.wait(lambda d: shown(d, "section.plan"), "the plan")
         window.click("section.camera")
-        window.wait(lambda d: shown(d, "section.plan") and shown(d, "section.camera") is False,
-                    "the sections")
+        window.wait(lambda d: shown(d, "section.camera") is False, "no cameras")
         window.choose("text.size", "125 %")
         window.wait(lambda d: d["state"]["scale"] == 1.25, "larger text")
         self.close(window)
         again = self.open(str(folder / "my pillars.glb"), *quick, XDG_CONFIG_HOME=str(folder))
         again.settle(window=[1100, 640], scale=1.25)
-        self.assertTrue(again.widget("section.plan")["value"])
-        self.assertFalse(again.widget("section.camera")["value"])
+        self.assertTrue(again.value("section.plan"))
+        self.assertFalse(again.value("section.camera"))
         # Kept while it runs, too.
         again.wait(lambda d: "my pillars.glb" in file.read_text(), "the file")
         again.process.kill()
@@ -211,16 +211,16 @@ class Settings(WindowTest):
         window = self.open("cubes", "--technique", "exact", *QUICK, "--set", "cubes.count=40")
         window.settle(scene="cubes")
         before = window.look_at_picture()
-        self.assertEqual(window.widget("cubes.count")["value"], 40)
+        self.assertEqual(window.value("cubes.count"), 40)
         self.assertGreater(window.drag_slider("cubes.count", 0.75), 400)
         self.assertGreater(window.look_at_picture().share_different(before), 0.02)
         # Another scene and back: the settings are as they were left.
-        count = window.widget("cubes.count")["value"]
+        count = window.value("cubes.count")
         window.choose("scene", "sphere")
         window.settle(scene="sphere")
         window.choose("scene", "cubes")
         window.settle(scene="cubes")
-        self.assertEqual(window.widget("cubes.count")["value"], count)
+        self.assertEqual(window.value("cubes.count"), count)
         self.close(window)
 
     def test_a_view_of_the_technique(self):
@@ -233,6 +233,8 @@ class Settings(WindowTest):
         window.reveal("view.scale")
         window.reveal("view.scale")
         self.assertGreater(window.look_at_picture().share_different(before), 0.2)
+        window.click("section.statistics")
+        window.wait(lambda d: "figure.dynamic triangles" in d["widgets"], "the statistics")
         self.assertIn("480", window.widget("figure.dynamic triangles")["value"].replace(",", ""))
         # A technique without it shows the picture.
         window.key("1")

@@ -189,7 +189,7 @@ class Windows(WindowTest):
     def test_screenshot(self):
         window = self.open("octopus", "--technique", "tsm", "--frame", "7", *QUICK)
         window.settle()
-        seen = window.look_at_picture()
+        seen = window.look_at_whole_picture()
         window.key("p")
         path = window.folder / "timeshade-octopus-tsm-0007.png"
         window.wait_state(screenshot=str(path))
@@ -204,10 +204,10 @@ class Windows(WindowTest):
 
     def test_dense_display(self):
         small = self.open("chess", "--technique", "static", *QUICK)
-        low = small.widget("scene.path")["rect"]
+        low = small.reveal("scene.path")
         self.close(small)
         window = self.open("chess", "--technique", "static", *QUICK, "--size", "1400x900", TIMESHADE_UI_SCALE="2")
-        high = window.widget("scene.path")["rect"]
+        high = window.reveal("scene.path")
         self.assertAlmostEqual((high[3] - high[1]) / (low[3] - low[1]), 2.0, delta=0.15)
         self.assertEqual(window.settle()["state"]["drawn"][0], 1400 - 2 * PANEL_WIDTH)
         self.close(window)

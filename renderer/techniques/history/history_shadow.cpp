@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/pause.h"
 #include "technique/technique_entry.h"
 #include "techniques/history/exposed_instant.h"
 #include "techniques/history/map_raster.h"
@@ -141,6 +142,7 @@ int HistoryShadow::framesDue(const FramePlan& plan) const {
 void HistoryShadow::forget() {
     state_.forget();
     if (converged_) converged_->forget();
+    target_.reset();  // a draw that was given up leaves textures attached
 }
 
 void HistoryShadow::build(const TechniqueFrame& frame) {
@@ -178,6 +180,7 @@ void HistoryShadow::drawTested(const TechniqueFrame& frame, const gl::Program& p
     target_->setColorCount(colors);
     target_->attach(GL_COLOR_ATTACHMENT0, *buffers_[current_]);
     target_->bindForDrawing(buffers_[current_]->width(), buffers_[current_]->height());
+    const NoPauses counted;  // fragments that a pause draws are none of these
     tested_->begin();
     frame.fullscreen.draw(program);
     tested_->end();

@@ -1,0 +1,233 @@
+// What the window's session and its frames do, with OpenGL and without a display.
+
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/pause.h"
+#include "frame_setup.h"
+#include "scene_catalogue.h"
+#include "support/gl_environment.h"
+#include "techniques/registry.h"
+#include "window/drawing_state.h"
+#include "window/session.h"
+#include "window/settings_io.h"
+#include "window/slices.h"
+
+namespace timeshade {
+namespace {
+
+/// Leaves OpenGL as a window's frame does.
+void disturb() {
+    const DrawingState state;
+    const GLboolean blended = glIsEnabled(GL_BLEND);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, 3, 3);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glUseProgram(0);
+    if (blended == GL_FALSE) glDisable(GL_BLEND);
+}
+
+struct SmallFrame {
+    std::unique_ptr<Scene> scene = openScene("pillars", "");
+    FramePlanner planner{*scene};
+    FramePlan plan(double shutter, double frame = 12.0) {
+        FrameRequest request;
+        request.width = 48;
+        request.height = 36;
+        request.samplesPerPixel = 2;
+        request.mapSize = 64;
+        request.frame = frame;
+        request.shutter.length = shutter;
+        return planner.plan(request);
+    }
+};
+
+TEST(SlicedFrame, IsTheSamePictureForEveryTechnique) {
+    SmallFrame small;
+    FrameRenderer& renderer = sharedRenderer();
+    for (const TechniqueDescription& description : techniqueDescriptions()) {
+        const auto picture = [&](Slices* slices) {
+            const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
+            for (Setting& setting : settingsOf(*technique))
+                if (setting.key == "renders") setting.set(3.0);
+            renderer.invalidateAll();
+            std::optional<Slices::Work> work;
+            if (slices != nullptr) work.emplace(*slices);
+            // Twice: what is cached is drawn in slices too.
+            for (int i = 0; i < 2; ++i) renderer.draw(small.plan(0.5), *technique, View::Final);
+            return renderer.readRadiance().rgb;
+        };
+        Slices slices(
+            disturb, [] { return false; }, std::chrono::milliseconds(0));
+        const std::vector<float> whole = picture(nullptr);
+        EXPECT_EQ(whole == picture(&slices), true) << description.name;
+        EXPECT_GT(slices.ended(), 3) << description.name;
+    }
+}
+
+/// Draws another frame, so that no buffer holds what it should by chance, then the frame twice, which it leaves at that
+/// pause. False where there are not so many.
+bool leaveAt(int last, const FramePlan& other, const FramePlan& plan, Technique& technique) {
+    int pauses = 0;
+    Slices slices([&] { ++pauses; }, [&] { return pauses == last; }, std::chrono::milliseconds(0));
+    technique.forget();
+    sharedRenderer().invalidateAll();
+    sharedRenderer().draw(other, technique, View::Final);
+    technique.forget();
+    try {
+        const Slices::Work work(slices);
+        for (int i = 0; i < 2; ++i) sharedRenderer().draw(plan, technique, View::Final);
+    } catch (const WorkCancelled&) {
+        EXPECT_EQ(slices.ended(), last) << "nothing goes on after the slice";
+        return true;
+    }
+    return false;
+}
+
+TEST(SlicedFrame, CanBeLeftAnywhereAndDrawnAgain) {
+    SmallFrame small;
+    FrameRenderer& renderer = sharedRenderer();
+    for (const double shutter : {small.scene->defaults().shutterLength, 0.0}) {
+        const FramePlan other = small.plan(shutter, 30.0), plan = small.plan(shutter);
+        for (const TechniqueDescription& description : techniqueDescriptions()) {
+            const std::unique_ptr<Technique> technique = makeTechnique(description.name, renderer.programs());
+            if (technique->renders() > 1) continue;  // many of one kind
+            renderer.invalidateAll();
+            renderer.draw(plan, *technique, View::Final);
+            const std::vector<float> whole = renderer.readRadiance().rgb;
+            for (int last = 1; leaveAt(last, other, plan, *technique); last *= 4) {
+                renderer.draw(plan, *technique, View::Final);
+                ASSERT_EQ(whole == renderer.readRadiance().rgb, true)
+                    << description.name << " with a shutter of " << shutter << ", left at " << last;
+            }
+        }
+    }
+}
+
+/// Changes something about a session, as panels and keys do.
+class RandomHand {
+  public:
+    RandomHand(Session& session, unsigned seed) : session_(session), random_(seed) {}
+
+    void change() {
+        const std::vector<std::function<void()>> ways{
+            [&] { session_.requests.technique = anyTechnique(); },
+            [&] { session_.requests.comparison = upTo(3) == 0 ? "" : anyTechnique(); },
+            [&] { session_.requests.swap = true; },
+            [&] { session_.comparison.seam = share(); },
+            [&] { session_.comparison.mode = static_cast<CompareMode>(upTo(2)); },
+            [&] { session_.comparison.flip = !session_.comparison.flip; },
+            [&] { changeSetting(session_.technique.current()); },
+            [&] { changeSetting(session_.technique.current()); },
+            [&] { changeScene(); },
+            [&] { session_.moment.request.samplesPerPixel = 1 + upTo(31); },
+            [&] { session_.moment.request.mapSize = 64 << upTo(5); },
+            [&] { session_.moment.request.seed = static_cast<std::uint32_t>(upTo(100)); },
+            [&] { session_.moment.request.pixelCentres = !session_.moment.request.pixelCentres; },
+            [&] { session_.moment.request.motionSteps = 1 << upTo(3); },
+            [&] { changeShutter(); },
+            [&] { session_.moment.instant = upTo(1) == 0 ? std::optional(share()) : std::nullopt; },
+            [&] { session_.moment.playback.setSpeed(0.01 + 0.99 * share()); },
+            [&] { moveCamera(); },
+            [&] { session_.camera.useSceneCamera(session_.moment, 0); },
+            [&] { session_.view.light = upTo(1) == 0 ? View::Final : View::Visibility; },
+            [&] { session_.panels.textScale = 0.75 + share(); },
+            [&] { session_.panels.preview = static_cast<PreviewQuality::Choice>(upTo(2)); },
+            [&] { session_.requests.scene = upTo(1) == 0 ? "cubes" : "pillars"; }};
+        ways[static_cast<std::size_t>(upTo(static_cast<int>(ways.size()) - 1))]();
+        session_.applyRequests();
+    }
+
+  private:
+    int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
+    double share() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
+    std::string anyTechnique() {
+        return techniqueDescriptions()[static_cast<std::size_t>(
+                                           upTo(static_cast<int>(techniqueDescriptions().size()) - 1))]
+            .name;
+    }
+    void changeSetting(HasSettings& owner) {
+        std::vector<Setting> settings = settingsOf(owner);
+        if (settings.empty()) return;
+        Setting& setting = settings[static_cast<std::size_t>(upTo(static_cast<int>(settings.size()) - 1))];
+        setting.set(setting.minimum + share() * (setting.maximum - setting.minimum));
+    }
+    void changeScene() {
+        if (session_.scene.recipe() == nullptr) return;
+        changeSetting(*session_.scene.recipe());
+        session_.requests.rebuild = true;
+    }
+    void changeShutter() {
+        Shutter shutter = session_.moment.request.shutter;
+        shutter.length = 2.0 * share();
+        shutter.position = static_cast<ShutterPosition>(upTo(2));
+        shutter.response = static_cast<ShutterResponse>(upTo(2));
+        shutter.framesPerSecond = 1.0 + 100.0 * share();
+        session_.moment.setShutter(shutter, session_.scene.current().duration());
+    }
+    void moveCamera() {
+        OrbitCamera& camera = session_.camera.take(session_.scene.current(), session_.moment);
+        camera.orbit(share() - 0.5, share() - 0.5);
+        camera.zoom(0.5 + share());
+    }
+
+    Session& session_;
+    std::mt19937 random_;
+};
+
+PictureOptions smallOptions() {
+    PictureOptions options;
+    options.scene = "pillars";
+    options.settings = {{"cubes.count", "20"}};
+    return options;
+}
+
+TEST(Undo, FiveHundredChangesAndBack) {
+    const PictureOptions options = smallOptions();
+    Session session(options, openScene(options.scene, "", options.settings), "test");
+    session.keepForUndo();
+    std::vector<std::string> states{settingsText(session)};
+    RandomHand hand(session, 7);
+    for (int i = 0; i < 500; ++i) {
+        hand.change();
+        session.keepForUndo();
+        if (const std::string now = settingsText(session); now != states.back()) states.push_back(now);
+    }
+    ASSERT_GT(states.size(), 300u);
+    ASSERT_EQ(session.undo.undoable(), states.size() - 1);
+    const auto go = [&](bool back) {
+        (back ? session.requests.undo : session.requests.redo) = true;
+        session.applyRequests();
+        session.keepForUndo();
+    };
+    for (std::size_t i = states.size() - 1; i-- > 0;) {
+        go(true);
+        ASSERT_EQ(settingsText(session), states[i]) << "step " << i;
+    }
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        go(false);
+        ASSERT_EQ(settingsText(session), states[i]) << "step " << i;
+    }
+    EXPECT_EQ(session.undo.redoable(), 0u);
+}
+
+TEST(Session, AnotherSceneLeavesTheInstant) {
+    const PictureOptions options = smallOptions();
+    Session session(options, openScene(options.scene, "", options.settings), "test");
+    session.moment.instant = 0.25;
+    session.requests.scene = "cubes";
+    session.applyRequests();
+    EXPECT_EQ(session.scene.name(), "cubes");
+    EXPECT_FALSE(session.moment.instant);
+}
+
+}  // namespace
+}  // namespace timeshade
