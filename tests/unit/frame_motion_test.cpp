@@ -158,6 +158,27 @@ TEST(ShadowReach, NeverDropsAShadowThatIsSeen) {
     EXPECT_GT(seen, 500);
 }
 
+TEST_F(FrameMotion, NormalsAloneChangeTheVersionOfColours) {
+    add({0, 0, 0}, {0, 0, 0});
+    add({0, 0, 3}, {1, 0, 3});
+    scene_.finish();
+    const FramePlan plan = FramePlanner(scene_).plan(request());
+    const FrameViews views{plan.camera, plan.light, plan.block};
+    MotionClassifier classifier;
+    const StaticVersions first = classifier.update(plan.texels, views).versions;
+    const auto withNormal = [&](std::size_t triangle) {
+        auto texels = std::make_shared<MeshTexels>(*plan.texels);
+        texels->shading[triangle * TRIANGLE_SHADING_TEXELS].x += 0.5f;
+        return classifier.update(texels, views).versions;
+    };
+    const StaticVersions ofStill = withNormal(0);
+    EXPECT_EQ(ofStill.lit, first.lit);
+    EXPECT_EQ(ofStill.samples, first.samples);
+    EXPECT_NE(ofStill.shading, first.shading) << "a triangle that stands still has another normal";
+    const StaticVersions before = classifier.update(plan.texels, views).versions;
+    EXPECT_EQ(withNormal(2).shading, before.shading) << "one that moves is shaded in every frame";
+}
+
 TEST_F(FrameMotion, VersionsChangeWithStaticTrianglesAndWithNothingElse) {
     add({0, 0, 0}, {0, 0, 0});
     add({0, 0, 3}, {1, 0, 3});
@@ -165,7 +186,7 @@ TEST_F(FrameMotion, VersionsChangeWithStaticTrianglesAndWithNothingElse) {
     FramePlanner planner(scene_);
     const FramePlan first = planner.plan(request());
     const auto same = [&](const StaticVersions& a, const StaticVersions& b) {
-        return a.casters == b.casters && a.samples == b.samples && a.lit == b.lit;
+        return a.casters == b.casters && a.samples == b.samples && a.lit == b.lit && a.shading == b.shading;
     };
     EXPECT_NE(first.versions.casters, 0u);
     EXPECT_NE(first.versions.lit, 0u);
