@@ -71,18 +71,23 @@ Moving movingOf(const Scene& scene, const MotionMesh& first) {
     Moving moving;
     moving.moves.assign(first.positionsOpen.size(), false);
     if (!(scene.duration() > 0.0)) return moving;
-    std::vector<MotionMesh> meshes;
-    atTimes(scene, 4, [&](double seconds) { meshes.push_back(scene.motionMesh(seconds, seconds)); });
-    const auto& triangles = first.topology->triangles;
-    for (const MotionMesh& mesh : meshes)
+    // Twice, so that one mesh at a time is held.
+    atTimes(scene, 4, [&](double seconds) {
+        const MotionMesh mesh = scene.motionMesh(seconds, seconds);
         for (std::size_t v = 0; v < moving.moves.size(); ++v)
             if (mesh.positionsOpen[v] != first.positionsOpen[v]) moving.moves[v] = true;
-    for (const glm::u32vec3& t : triangles) {
-        const bool isMoving = moving.moves[t.x] || moving.moves[t.y] || moving.moves[t.z];
-        moving.all = moving.all && isMoving;
-        for (int c = 0; isMoving && c < 3; ++c)
-            for (const MotionMesh& mesh : meshes) moving.bounds.add(mesh.positionsOpen[t[c]]);
-    }
+    });
+    const auto isMoving = [&](const glm::u32vec3& t) {
+        return moving.moves[t.x] || moving.moves[t.y] || moving.moves[t.z];
+    };
+    const auto& triangles = first.topology->triangles;
+    moving.all = std::all_of(triangles.begin(), triangles.end(), isMoving);
+    if (std::none_of(triangles.begin(), triangles.end(), isMoving)) return moving;
+    atTimes(scene, 4, [&](double seconds) {
+        const MotionMesh mesh = scene.motionMesh(seconds, seconds);
+        for (const glm::u32vec3& t : triangles)
+            for (int c = 0; isMoving(t) && c < 3; ++c) moving.bounds.add(mesh.positionsOpen[t[c]]);
+    });
     return moving;
 }
 
