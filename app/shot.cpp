@@ -35,7 +35,7 @@ DisplayImage pictureOf(FrameRenderer& renderer) {
 
 void write(FrameRenderer& renderer, const ShotOutput& output, const std::filesystem::path& path) {
     if (path.extension() == ".exr")
-        output.write(path, renderer.readRadiance());
+        writeExr(path, renderer.readRadiance());  // a file: a pipe takes PNG
     else
         output.write(path, pictureOf(renderer));
 }

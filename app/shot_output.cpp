@@ -35,10 +35,6 @@ void ShotOutput::write(const std::filesystem::path& path, const DisplayImage& pi
         throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
 }
 
-void ShotOutput::write(const std::filesystem::path& path, const LinearImage& radiance) const {
-    writeExr(path, radiance);
-}
-
 void ShotOutput::say(const std::string& text) const {
     if (isStandardOutput())
         writeToStandardError(text);

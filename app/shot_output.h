@@ -16,7 +16,6 @@ class ShotOutput {
 
     std::filesystem::path path(int frame) const;
     void write(const std::filesystem::path& path, const DisplayImage& picture) const;
-    void write(const std::filesystem::path& path, const LinearImage& radiance) const;
     /// A line or more of text, ended by a new line each.
     void say(const std::string& text) const;
 

@@ -58,7 +58,7 @@ std::string descriptionOf(const CLI::Option& option) {
     return text;
 }
 
-std::string placeholderOf(const CLI::Option& option) {
+std::string valueNameOf(const CLI::Option& option) {
     if (option.get_type_size() == 0 || option.get_expected_max() == 0) return "";
     const std::string type = option.get_type_name(), kind = type.substr(0, type.find(':'));
     const std::string one = !wordsOf(option).empty()          ? "WORD"
@@ -81,7 +81,7 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool isPositio
     std::string name = "  " + make_option_name(option, isPositional);
     for (std::size_t comma = name.find(','); comma != std::string::npos; comma = name.find(',', comma + 2))
         name.insert(comma + 1, " ");
-    const std::string takes = placeholderOf(*option);
+    const std::string takes = valueNameOf(*option);
     if (!isPositional && !takes.empty()) name += " " + takes;
     return name + inColumn(descriptionOf(*option), get_column_width(), name.size());
 }

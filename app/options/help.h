@@ -19,7 +19,7 @@ class HelpFormatter final : public CLI::Formatter {
 };
 
 /// What an option takes: "N", "X", "WORD", "TEXT"; empty for a switch.
-std::string placeholderOf(const CLI::Option& option);
+std::string valueNameOf(const CLI::Option& option);
 /// Its values where they are words: "auto", "on", "off".
 std::vector<std::string> wordsOf(const CLI::Option& option);
 

@@ -76,7 +76,7 @@ std::string forManual(const std::string& text) {
 std::string manualOfOption(const CLI::Option& option) {
     std::vector<std::string> names;
     for (const std::string& name : namesOf(option)) names.push_back("\\fB" + forManual(name) + "\\fR");
-    const std::string takes = placeholderOf(option);
+    const std::string takes = valueNameOf(option);
     return fmt::format(".TP\n{}{}\n{}\n", fmt::join(names, ", "), takes.empty() ? "" : " \\fI" + takes + "\\fR",
                        forManual(descriptionOf(option)));
 }
@@ -185,7 +185,7 @@ std::string fishOf(const CLI::App& app) {
             const std::vector<std::string> values = valuesOf(*option);
             if (!values.empty())
                 text += fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(values, " "))));
-            else if (!placeholderOf(*option).empty())
+            else if (!valueNameOf(*option).empty())
                 text += " -r";
             text += fmt::format(" -d {}\n", quoted(option->get_description()));
         }
@@ -214,7 +214,7 @@ std::string zshOf(const CLI::App& app) {
         text += fmt::format("{}) _arguments -s", command->get_name());
         for (const CLI::Option* option : optionsOf(*command)) {
             const std::vector<std::string> values = valuesOf(*option);
-            const std::string takes = placeholderOf(*option);
+            const std::string takes = valueNameOf(*option);
             for (const std::string& name : namesOf(*option)) {
                 std::string word = name + "[" + forZsh(option->get_description()) + "]";
                 if (!takes.empty())

@@ -30,8 +30,6 @@ void drawLightPanel(Session& session, Widgets& widgets);
 void drawGroundPanel(Session& session, Widgets& widgets);
 void drawCameraPanel(Session& session, Widgets& widgets);
 void drawTimesPanel(Session& session, Widgets& widgets);
-void drawFrameGraph(Session& session, Widgets& widgets);
-void drawStatistics(Session& session, Widgets& widgets);
 void drawAccuracyPanel(Session& session, Widgets& widgets);
 void drawPlanPanel(Session& session, Widgets& widgets);
 void drawTimePanel(Session& session, Widgets& widgets);

@@ -6,6 +6,8 @@
 
 namespace timeshade {
 
+namespace {
+
 /// What it counted in the picture, with warnings.
 void drawStatistics(Session& session, Widgets& widgets) {
     if (!widgets.section("section.statistics", "Statistics", false)) return;
@@ -17,8 +19,6 @@ void drawStatistics(Session& session, Widgets& widgets) {
         widgets.dump().lastItem("figure.warning." + figure.name, figure.warning);
     }
 }
-
-namespace {
 
 void drawSamples(Session& session, Widgets& widgets) {
     Widgets::Number samples;

@@ -96,8 +96,6 @@ void drawMemory(Session& session, Widgets& widgets) {
     widgets.figure("memory.total", "Total", inMebibytes(memory.total()));
 }
 
-}  // namespace
-
 /// A bar a picture, the newest at the right; previews are paler.
 void drawFrameGraph(Session& session, Widgets& widgets) {
     const std::vector<FrameGraph::Bar>& bars = session.graph.bars();
@@ -122,6 +120,8 @@ void drawFrameGraph(Session& session, Widgets& widgets) {
         ImGui::SetTooltip("The last %zu pictures; the highest took %s. Previews are brown.", bars.size(),
                           milliseconds(static_cast<double>(most)).c_str());
 }
+
+}  // namespace
 
 void drawTimesPanel(Session& session, Widgets& widgets) {
     if (widgets.section("section.times", "Time", true)) {

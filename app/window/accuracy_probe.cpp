@@ -10,6 +10,7 @@
 #include "frame/warm_up.h"
 #include "gl/errors.h"
 #include "measure/metrics.h"
+#include "measure/stopwatch.h"
 #include "report.h"
 #include "shared/shutter_response.shared.h"
 #include "techniques/registry.h"
@@ -24,10 +25,6 @@ constexpr double budgetMilliseconds = 30.0;
 constexpr std::size_t countedDraws = 3;
 
 using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 }  // namespace
 

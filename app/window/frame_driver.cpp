@@ -21,8 +21,8 @@ constexpr double budgetMilliseconds = 30.0;
 
 /// Of work: pauses are left out.
 double milliseconds() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch() - timePaused();
-    return std::chrono::duration<double, std::milli>(now).count();
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(now).count() - millisecondsPaused();
 }
 
 /// What decides how long a picture takes, apart from the view.

@@ -1,8 +1,20 @@
 #include "window/slices.h"
 
+#include "measure/stopwatch.h"
+
 namespace timeshade {
 
 using Clock = std::chrono::steady_clock;
+
+namespace {
+
+/// Counts the time even where the pause ends the work.
+struct PauseTime {
+    Clock::time_point begin = Clock::now();
+    ~PauseTime() { countPause(millisecondsSince(begin)); }
+};
+
+}  // namespace
 
 Slices::Work::Work(Slices& slices) : slices_(slices), before_(exchangePauseHook(&slices)) {
     slices_.begin_ = Clock::now();
@@ -16,6 +28,7 @@ Slices::Work::~Work() {
 bool Slices::isDue() const { return Clock::now() - begin_ >= length_; }
 
 void Slices::pause() {
+    const PauseTime time;
     ++ended_;
     announced_.clear();
     drawWindow();
@@ -25,6 +38,7 @@ void Slices::pause() {
 }
 
 void Slices::announce(const std::string& text) {
+    const PauseTime time;
     announced_ = text;
     drawWindow();
 }

@@ -12,6 +12,10 @@ namespace timeshade {
 /// caller's own where there is but one range. Results must not depend on the order. `work` must not throw.
 template <class Work>
 void forRanges(std::size_t count, std::size_t together, const Work& work) {
+    if (count <= together) {
+        if (count > 0) work(std::size_t{0}, count);
+        return;
+    }
     std::atomic<std::size_t> next{0};
     const auto run = [&] {
         for (std::size_t first = next.fetch_add(together); first < count; first = next.fetch_add(together))

@@ -6,16 +6,8 @@ namespace timeshade {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 thread_local PauseHook* hookOfThread = nullptr;
-thread_local Clock::duration paused{};
-
-/// Adds the time even where the pause ends the work.
-struct PauseTime {
-    Clock::time_point begin = Clock::now();
-    ~PauseTime() { paused += Clock::now() - begin; }
-};
+thread_local double paused = 0.0;
 
 }  // namespace
 
@@ -27,7 +19,6 @@ void pausePoint() {
     if (hookOfThread == nullptr || !hookOfThread->isDue()) return;
     PauseHook& hook = *hookOfThread;
     const NoPauses within;
-    const PauseTime time;
     hook.pause();
 }
 
@@ -35,10 +26,11 @@ void announceWork(const std::string& text) {
     if (hookOfThread == nullptr) return;
     PauseHook& hook = *hookOfThread;
     const NoPauses within;
-    const PauseTime time;
     hook.announce(text);
 }
 
-Clock::duration timePaused() { return paused; }
+double millisecondsPaused() { return paused; }
+
+void countPause(double milliseconds) { paused += milliseconds; }
 
 }  // namespace timeshade

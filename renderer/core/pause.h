@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <string>
 
 namespace timeshade {
@@ -43,7 +42,10 @@ class NoPauses {
     PauseHook* hook_;
 };
 
-/// How long this thread has spent in pauses so far: no part of what the work takes.
-std::chrono::steady_clock::duration timePaused();
+/// How long this thread has spent in pauses so far, as its hooks said: no part of what the work takes.
+double millisecondsPaused();
+
+/// A hook says what a pause took, also where it ended the work. It has the clock; what is drawn depends on none.
+void countPause(double milliseconds);
 
 }  // namespace timeshade

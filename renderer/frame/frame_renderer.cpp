@@ -163,10 +163,11 @@ void FrameRenderer::drawRender() {
         const WorkPart part(buildFrom, lookupFrom);
         technique_->build(frame);
     }
+    std::optional<StillPixels> still;
     {
         const auto timed = timer_.scope("lookup");
         const WorkPart part(lookupFrom, shadeFrom);
-        drawLookup(frame);
+        still = drawLookup(frame);
     }
     const WorkPart part(shadeFrom, 1.0);
     if (techniqueView_) {
@@ -174,7 +175,7 @@ void FrameRenderer::drawRender() {
         technique_->drawView(frame, techniqueView_->name, *values_);
     } else {
         const auto timed = timer_.scope("shade");
-        drawShade(render);
+        drawShade(render, still);
     }
     gl::requireNoErrors(fmt::format("a frame of {}", technique_->description().name));
     ++done_;
@@ -224,16 +225,11 @@ void FrameRenderer::drawSamples(const FramePlan& plan) {
     intervals_.draw(plan, mesh_, *samples_, !technique_->solvesIntervals());
 }
 
-void FrameRenderer::drawShade(const FramePlan& plan) {
+void FrameRenderer::drawShade(const FramePlan& plan, const std::optional<StillPixels>& still) {
     if (plan.block.positions == 0) {
-        const bool cached = lookupKey_ != 0 && plan.versions.shading != 0 && renders_ == 1;
-        const auto& still = lookupPass_.still();
-        if (!cached || !still)
-            return shadePass_.draw(plan, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
-        const CacheKey key =
-            Hash().add(lookupKey_).add(plan.versions.shading).add(static_cast<std::uint64_t>(view_)).value() | 1;
-        return shadePass_.drawOntoStill(plan, fullscreen_, *samples_, *visibility_, view_,
-                                        {key, *still->ids, *still->lit, still->others}, *radiance_);
+        if (still && plan.versions.shading != 0 && renders_ == 1)
+            return shadePass_.drawOntoStill(plan, fullscreen_, *samples_, *visibility_, view_, *still, *radiance_);
+        return shadePass_.draw(plan, fullscreen_, *samples_, *visibility_, view_, renders_ > 1, *radiance_);
     }
     shadePass_.draw(
         plan, fullscreen_,
@@ -241,18 +237,21 @@ void FrameRenderer::drawShade(const FramePlan& plan) {
         *radiance_);
 }
 
-void FrameRenderer::drawLookup(const TechniqueFrame& frame) {
-    lookupKey_ = 0;
-    if (technique_->hasOwnLookup()) return technique_->drawLookup(frame);
+std::optional<StillPixels> FrameRenderer::drawLookup(const TechniqueFrame& frame) {
+    if (technique_->hasOwnLookup()) {
+        technique_->drawLookup(frame);
+        return std::nullopt;
+    }
     Lookup lookup;
     lookup.program = [&](Casters casters) { return technique_->lookupProgram(frame, casters); };
     lookup.footprint = technique_->footprint();
-    if (frame.plan.block.positions > 0)
-        return partLookup_.draw(frame, lookup, intervals_, technique_->solvesIntervals());
+    if (frame.plan.block.positions > 0) {
+        partLookup_.draw(frame, lookup, intervals_, technique_->solvesIntervals());
+        return std::nullopt;
+    }
     if (frame.plan.versions.lit != 0) lookup.key = Hash().add(settings_.key()).add(frame.plan.versions.lit).value() | 1;
     if (technique_->separatesStaticCasters()) lookup.staticIds = samplePass_.staticIds(frame.plan, *samples_);
-    lookupPass_.draw(frame, lookup);
-    lookupKey_ = lookup.key;
+    return lookupPass_.draw(frame, lookup);
 }
 
 void FrameRenderer::endFrame() {

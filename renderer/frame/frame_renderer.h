@@ -101,8 +101,8 @@ class FrameRenderer {
     void checkBuffers() const;
     void forgetPast(Technique& technique);
     void drawSamples(const FramePlan& plan);
-    void drawLookup(const TechniqueFrame& frame);
-    void drawShade(const FramePlan& plan);
+    std::optional<StillPixels> drawLookup(const TechniqueFrame& frame);
+    void drawShade(const FramePlan& plan, const std::optional<StillPixels>& still);
     TechniqueFrame techniqueFrame();
     void endFrame();
     float scaleToWhole() const;
@@ -132,7 +132,6 @@ class FrameRenderer {
     std::optional<FramePlan> render_;  ///< the plan of the last render
     Technique* technique_ = nullptr;
     std::size_t techniqueBytes_ = 0;  ///< after the last render
-    CacheKey lookupKey_ = 0;          ///< of the last lookup's cached part; 0 where nothing may be cached
     View view_ = View::Final;
     std::optional<TechniqueView> techniqueView_;
     int instants_ = 1;  ///< that the technique draws of the frame

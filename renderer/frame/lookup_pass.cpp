@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/work_part.h"
+#include "gl/depth_equal.h"
 
 namespace timeshade {
 
@@ -35,15 +36,12 @@ LookupPass::ReachedPixels::ReachedPixels(int width, int height)
     target.attach(GL_DEPTH_ATTACHMENT, depth);
 }
 
-void LookupPass::draw(const TechniqueFrame& frame, const Lookup& lookup) {
+std::optional<StillPixels> LookupPass::draw(const TechniqueFrame& frame, const Lookup& lookup) {
     auto& buffer = caches_.entry<NoContent>(bufferName);
     const bool again = buffer.wantedAgain(lookup.key);
     const bool nothingMoves = frame.plan.casters.nothingMoves() && frame.plan.camera.dynamicTriangles.empty();
-    still_.reset();
-    if (nothingMoves && again && buffer.holds(lookup.key)) {
-        still_ = {&frame.samples.ids(), &frame.visibility.lit(), nullptr};
-        return;
-    }
+    if (nothingMoves && again && buffer.holds(lookup.key))
+        return StillPixels{lookup.key, &frame.samples.ids(), &frame.visibility.lit(), nullptr};
     buffer.setKey(nothingMoves ? lookup.key : 0);
     if (again && !nothingMoves && lookup.staticIds != nullptr && mayCacheStatic(lookup.footprint))
         return drawReached(frame, lookup);
@@ -51,6 +49,7 @@ void LookupPass::draw(const TechniqueFrame& frame, const Lookup& lookup) {
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     target_.setColorCount(1);
     drawStrata(frame, program, target_, frame.visibility.lit());
+    return std::nullopt;
 }
 
 /// The lookup's program with its inputs, in use.
@@ -101,7 +100,7 @@ LookupPass::StaticVisibility& LookupPass::staticVisibility(const TechniqueFrame&
 }
 
 /// Marks the pixels that are to be tested in a depth buffer, so that the technique's own program is not even begun for
-/// the others. Leaves a depth test that lets those pass alone.
+/// the others.
 void LookupPass::markReached(const TechniqueFrame& frame, const StaticVisibility& cached, ReachedPixels& reached) {
     constexpr int side = DynamicCasterMask::side;
     static_assert(side == REACHED_SIDE);
@@ -126,11 +125,11 @@ void LookupPass::markReached(const TechniqueFrame& frame, const StaticVisibility
     const float unmarked = 1.0f;
     glClearNamedFramebufferfv(reached.target.name(), GL_DEPTH, 0, &unmarked);
     frame.fullscreen.draw(marking);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_EQUAL);
+    glDepthFunc(GL_GREATER);
+    glDisable(GL_DEPTH_TEST);
 }
 
-void LookupPass::drawReached(const TechniqueFrame& frame, const Lookup& lookup) {
+StillPixels LookupPass::drawReached(const TechniqueFrame& frame, const Lookup& lookup) {
     const StaticVisibility& cached = staticVisibility(frame, lookup);
     const gl::Texture& lit = frame.visibility.lit();
     glCopyImageSubData(cached.lit.name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, lit.name(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0,
@@ -140,12 +139,10 @@ void LookupPass::drawReached(const TechniqueFrame& frame, const Lookup& lookup) 
     const gl::Program& program = use(frame, lookup, Casters::All, {});
     frame.samples.ids().bind(SAMPLE_IDS_UNIT);
     reached.target.setColorCount(1);
+    const gl::DepthEqual reachedAlone;
     drawStrata(frame, program, reached.target, lit);
     reached.target.detach(GL_COLOR_ATTACHMENT0);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_GREATER);
-    glDisable(GL_DEPTH_TEST);
-    still_ = {lookup.staticIds, &cached.lit, &reached.target};
+    return {lookup.key, lookup.staticIds, &cached.lit, &reached.target};
 }
 
 }  // namespace timeshade

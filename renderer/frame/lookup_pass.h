@@ -7,6 +7,7 @@
 #include "gl/framebuffer.h"
 #include "gl/program_cache.h"
 #include "gl/texture.h"
+#include "passes/still_pixels.h"
 #include "technique/footprint.h"
 #include "technique/lookup_program.h"
 #include "technique/technique_frame.h"
@@ -34,16 +35,8 @@ class LookupPass {
   public:
     LookupPass(gl::ProgramCache& programs, FrameCaches& caches)
         : programs_(programs), caches_(caches), target_("visibility target") {}
-    void draw(const TechniqueFrame& frame, const Lookup& lookup);
-
-    /// Pixels in which nothing is other than static receivers under static casters alone.
-    struct StillPixels {
-        const gl::Texture* ids;  ///< samples and visibility of static receivers by static casters, in all pixels
-        const gl::Texture* lit;
-        const gl::Framebuffer* others;  ///< its depth test (GL_EQUAL) lets all other pixels pass; null: there are none
-    };
-    /// As the last draw() found them; nothing where it did not look. Valid until the next.
-    const std::optional<StillPixels>& still() const { return still_; }
+    /// Returns the pixels that are still, where it has found them out.
+    std::optional<StillPixels> draw(const TechniqueFrame& frame, const Lookup& lookup);
 
   private:
     /// Visibility of static receivers by static casters, and the cells of the light's map that each pixel's samples lie
@@ -67,12 +60,11 @@ class LookupPass {
                            const gl::Texture& lit);
     StaticVisibility& staticVisibility(const TechniqueFrame& frame, const Lookup& lookup);
     void markReached(const TechniqueFrame& frame, const StaticVisibility& cached, ReachedPixels& reached);
-    void drawReached(const TechniqueFrame& frame, const Lookup& lookup);
+    StillPixels drawReached(const TechniqueFrame& frame, const Lookup& lookup);
 
     gl::ProgramCache& programs_;
     FrameCaches& caches_;
     gl::Framebuffer target_;
-    std::optional<StillPixels> still_;
 };
 
 }  // namespace timeshade

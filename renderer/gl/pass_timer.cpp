@@ -25,7 +25,7 @@ PassTimer::Scope::Scope(PassTimer& timer, std::string name) : timer_(timer), ste
         step.beginQuery = timer.timestamp();
     }
     step.begin = std::chrono::steady_clock::now();
-    step.paused = timePaused();
+    step.paused = millisecondsPaused();
     injectErrorForTest(step.name);
     timer.current_.push_back(std::move(step));
 }
@@ -39,7 +39,7 @@ PassTimer::Scope::~Scope() {
         step.end = std::chrono::steady_clock::now();
         step.endQuery = timer_.timestamp();
     }
-    step.paused = timePaused() - step.paused;
+    step.paused = millisecondsPaused() - step.paused;
 }
 
 GLuint PassTimer::timestamp() {
@@ -57,7 +57,7 @@ GLuint PassTimer::timestamp() {
 std::vector<PassTimer::Reading> PassTimer::read(const Frame& frame) {
     std::vector<Reading> readings;
     for (const Step& step : frame) {
-        const double host = std::chrono::duration<double, std::milli>(step.end - step.begin - step.paused).count();
+        const double host = std::chrono::duration<double, std::milli>(step.end - step.begin).count() - step.paused;
         double milliseconds = host;
         if (clock_ == Clock::Timestamps) {
             GLuint64 begin = 0, end = 0;

@@ -54,7 +54,7 @@ class PassTimer {
         std::string name;
         GLuint beginQuery = 0, endQuery = 0;
         std::chrono::steady_clock::time_point begin, end;
-        std::chrono::steady_clock::duration paused{};  ///< before it began; then within it
+        double paused = 0.0;  ///< milliseconds, before it began; then within it
     };
     using Frame = std::vector<Step>;
     GLuint timestamp();

@@ -8,6 +8,7 @@
 
 #include "frame/frame_renderer.h"
 #include "frame/warm_up.h"
+#include "measure/stopwatch.h"
 #include "measure/technique_variant.h"
 
 namespace timeshade {
@@ -17,10 +18,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int uncountedFrames = 2;  // the first finds nothing cached, and caches fill in the second
-
-double millisecondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());

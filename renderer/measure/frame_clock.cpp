@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "frame/warm_up.h"
 #include "gl/waits.h"
+#include "measure/stopwatch.h"
 
 namespace timeshade {
 
@@ -17,10 +18,6 @@ namespace {
 constexpr int attempts = 3;
 
 using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 }  // namespace
 

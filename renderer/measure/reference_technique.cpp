@@ -1,4 +1,5 @@
 #include "measure/reference_technique.h"
+
 #include "gl/read_back.h"
 
 namespace timeshade {

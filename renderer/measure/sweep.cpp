@@ -15,6 +15,7 @@
 #include "measure/reference.h"
 #include "measure/reference_noise.h"
 #include "measure/reference_technique.h"
+#include "measure/stopwatch.h"
 #include "measure/sweep_journal.h"
 #include "measure/sweep_points.h"
 #include "measure/technique_variant.h"
@@ -24,10 +25,6 @@ namespace timeshade {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 /// One point while it is being measured.
 struct Subject {

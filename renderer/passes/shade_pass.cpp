@@ -1,5 +1,7 @@
 #include "passes/shade_pass.h"
 
+#include "core/hash.h"
+#include "gl/depth_equal.h"
 #include "shared/shutter_response.shared.h"
 
 namespace timeshade {
@@ -37,21 +39,23 @@ const gl::Program& ShadePass::programOf(const FramePlan& plan, View view) {
 }
 
 void ShadePass::drawOntoStill(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
-                              const VisibilityBuffer& visibility, View view, const Still& still,
+                              const VisibilityBuffer& visibility, View view, const StillPixels& still,
                               const gl::Texture& radiance) {
     const int width = radiance.width(), height = radiance.height();
     const gl::Program& program = programOf(plan, view);
     auto& entry = caches_.entry<StillColours>(colourName);
-    const bool held = entry.holds(still.key);
+    const CacheKey key =
+        Hash().add(still.key).add(plan.versions.shading).add(static_cast<std::uint64_t>(view)).value() | 1;
+    const bool held = entry.holds(key);
     const gl::Texture& colours = entry.get(width, height).colours;
     if (!held) {
-        still.ids.bind(SAMPLE_IDS_UNIT);
-        still.lit.bind(VISIBILITY_UNIT);
+        still.ids->bind(SAMPLE_IDS_UNIT);
+        still.lit->bind(VISIBILITY_UNIT);
         target_.attach(GL_COLOR_ATTACHMENT0, colours);
         target_.setColorCount(1);
         target_.bindForDrawing(width, height);
         fullscreen.draw(program);
-        entry.setKey(still.key);
+        entry.setKey(key);
     }
     glCopyImageSubData(colours.name(), GL_TEXTURE_2D, 0, 0, 0, 0, radiance.name(), GL_TEXTURE_2D, 0, 0, 0, 0, width,
                        height, 1);
@@ -61,14 +65,9 @@ void ShadePass::drawOntoStill(const FramePlan& plan, const Fullscreen& fullscree
     still.others->setColorCount(1);
     still.others->attach(GL_COLOR_ATTACHMENT0, radiance);
     still.others->bindForDrawing(width, height);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_EQUAL);
+    const gl::DepthEqual othersAlone;
     fullscreen.draw(program);
     still.others->detach(GL_COLOR_ATTACHMENT0);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_GREATER);
-    glDisable(GL_DEPTH_TEST);
 }
 
 void ShadePass::draw(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,

@@ -5,6 +5,7 @@
 #include "gl/program_cache.h"
 #include "passes/fullscreen.h"
 #include "passes/sample_buffer.h"
+#include "passes/still_pixels.h"
 #include "passes/visibility_buffer.h"
 #include "plan/frame_plan.h"
 
@@ -30,17 +31,11 @@ class ShadePass {
     void draw(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
               const VisibilityBuffer& visibility, View view, bool add, const gl::Texture& radiance);
 
-    /// What is the same as in the frame before.
-    struct Still {
-        CacheKey key;            ///< of the colours of static receivers under static casters alone
-        const gl::Texture& ids;  ///< their samples, and what is lit of them
-        const gl::Texture& lit;
-        const gl::Framebuffer* others;  ///< its depth test (GL_EQUAL) lets pass the pixels that show more than that;
-                                        ///< null: there are none
-    };
     /// The same picture, to the last bit, by way of a cached one of what is still: only the other pixels are shaded.
+    /// For plans whose StaticVersions::shading is not 0.
     void drawOntoStill(const FramePlan& plan, const Fullscreen& fullscreen, const SampleBuffer& samples,
-                       const VisibilityBuffer& visibility, View view, const Still& still, const gl::Texture& radiance);
+                       const VisibilityBuffer& visibility, View view, const StillPixels& still,
+                       const gl::Texture& radiance);
 
     /// What interval samples are shaded from: IntervalSamples' parts and PartLookup's values.
     struct Parts {

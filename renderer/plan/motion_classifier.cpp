@@ -37,10 +37,12 @@ bool samePattern(const shared::FrameBlock& a, const shared::FrameBlock& b) {
 /// As many as are worth a thread.
 constexpr std::size_t trianglesTogether = 2048;
 
-/// What of some triangles is other than in the frame before; as MotionClassifier::Changes.
-struct ChangesOfSome {
+/// What of some triangles is other than in the frame before.
+struct Changes {
     std::size_t reclassified = 0;
-    bool casters = false, seen = false, shading = false;
+    bool casters = false;  ///< static casters
+    bool seen = false;     ///< what the camera sees of what stands still
+    bool shading = false;  ///< normals of that
 
     /// `before`: null where there is none to compare with.
     void add(const TriangleMotion& motion, const TriangleMotion* before, bool samePlace) {
@@ -59,41 +61,49 @@ struct ChangesOfSome {
     }
 };
 
-}  // namespace
+/// What was found in the frame before.
+struct Before {
+    const MeshTexels* texels;  ///< null: there was none
+    const MotionClassifier::Motion& motion;
+    bool sameViews;
+};
 
-MotionClassifier::Changes MotionClassifier::classify(const MeshTexels& texels, const FrameViews& views, bool first,
-                                                     bool sameViews, Motion& now) const {
+/// Fills in what `now` says of triangles, and returns what is other.
+Changes classify(const MeshTexels& texels, const FrameViews& views, const Before& before,
+                 MotionClassifier::Motion& now) {
     const std::size_t count = texels.positions.size() / TRIANGLE_POSITION_TEXELS;
-    auto triangles = sameViews ? std::make_shared<std::vector<TriangleMotion>>(*last_.triangles)
-                               : std::make_shared<std::vector<TriangleMotion>>(count);
-    auto inMap = sameViews ? std::make_shared<std::vector<shared::SweptBounds>>(*last_.inMap)
-                           : std::make_shared<std::vector<shared::SweptBounds>>(count);
+    auto triangles = before.sameViews ? std::make_shared<std::vector<TriangleMotion>>(*before.motion.triangles)
+                                      : std::make_shared<std::vector<TriangleMotion>>(count);
+    auto inMap = before.sameViews ? std::make_shared<std::vector<shared::SweptBounds>>(*before.motion.inMap)
+                                  : std::make_shared<std::vector<shared::SweptBounds>>(count);
     std::atomic<std::size_t> reclassified{0};
     std::atomic<bool> casters{false}, seen{false}, shading{false};
     forRanges(count, trianglesTogether, [&](std::size_t begin, std::size_t end) {
-        ChangesOfSome changes;
+        Changes changes;
         for (std::size_t id = begin; id < end; ++id) {
             const std::size_t at = id * TRIANGLE_POSITION_TEXELS;
             const bool samePlace =
-                !first && (texels_.get() == &texels || std::memcmp(&texels_->positions[at], &texels.positions[at],
-                                                                   TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
+                before.texels != nullptr &&
+                (before.texels == &texels || std::memcmp(&before.texels->positions[at], &texels.positions[at],
+                                                         TRIANGLE_POSITION_TEXELS * sizeof(glm::vec4)) == 0);
             TriangleMotion& motion = (*triangles)[id];
-            if (!(samePlace && sameViews)) {
+            if (!(samePlace && before.sameViews)) {
                 motion = motionOf(texels.positions, static_cast<std::uint32_t>(id), views, (*inMap)[id]);
-                changes.add(motion, first ? nullptr : &(*last_.triangles)[id], samePlace);
+                changes.add(motion, before.texels ? &(*before.motion.triangles)[id] : nullptr, samePlace);
             }
-            if (samePlace) changes.addShading(motion, *texels_, texels, id);
+            if (samePlace) changes.addShading(motion, *before.texels, texels, id);
         }
         reclassified += changes.reclassified;
         if (changes.casters) casters = true;
         if (changes.seen) seen = true;
         if (changes.shading) shading = true;
     });
-    now.reclassified = reclassified;
     now.triangles = std::move(triangles);
     now.inMap = std::move(inMap);
-    return {casters, seen, shading};
+    return {reclassified, casters, seen, shading};
 }
+
+}  // namespace
 
 MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const MeshTexels>& texels,
                                                   const FrameViews& views) {
@@ -109,7 +119,9 @@ MotionClassifier::Motion MotionClassifier::update(const std::shared_ptr<const Me
 
     Motion now;
     if (!(sameCamera && sameLight && texels_ == texels)) {
-        const Changes changes = classify(*texels, views, first, sameCamera && sameLight, now);
+        const Changes changes =
+            classify(*texels, views, {first ? nullptr : texels_.get(), last_, sameCamera && sameLight}, now);
+        now.reclassified = changes.reclassified;
         sameCasters = sameCasters && !changes.casters;
         sameSeen = sameSeen && !changes.seen;
         sameShading = !changes.shading;

@@ -32,15 +32,6 @@ class MotionClassifier {
     Motion update(const std::shared_ptr<const MeshTexels>& texels, const FrameViews& views);
 
   private:
-    /// What is other than in the frame before.
-    struct Changes {
-        bool casters = false;  ///< static casters
-        bool seen = false;     ///< what the camera sees of what stands still
-        bool shading = false;  ///< normals of that
-    };
-    /// Fills in what `now` says of triangles.
-    Changes classify(const MeshTexels& texels, const FrameViews& views, bool first, bool sameViews, Motion& now) const;
-
     std::shared_ptr<const MeshTexels> texels_;
     shared::ViewBlock camera_{}, light_{};
     shared::FrameBlock block_{};

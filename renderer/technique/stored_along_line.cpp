@@ -1,8 +1,9 @@
 #include "technique/stored_along_line.h"
-#include "gl/read_back.h"
 
 #include <cmath>
 #include <limits>
+
+#include "gl/read_back.h"
 
 namespace timeshade {
 

@@ -5,7 +5,6 @@
 // first.
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "oracle/embree_api.h"
 #include "scene_catalogue.h"
 #include "shared/sample_pattern.shared.h"
+#include "timing.h"
 
 using namespace timeshade;
 
@@ -28,12 +28,6 @@ struct alignas(32) Packet {
     RTCRayHit8 rays;
     int valid[8];
 };
-
-double millisecondsOf(const auto& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// Whatever else the machine does only ever adds to a time.
 double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }

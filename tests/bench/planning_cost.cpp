@@ -1,6 +1,4 @@
 // What the processor does for a frame before anything is drawn, by step: medians over frames of a playing scene.
-#include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include <fmt/format.h>
@@ -8,23 +6,13 @@
 #include "frame_setup.h"
 #include "plan/mesh_texels.h"
 #include "scene_catalogue.h"
+#include "timing.h"
 
 using namespace timeshade;
 
 namespace {
 
 constexpr int frames = 41;
-
-double millisecondsOf(const auto& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 void report(const std::string& label, const Scene& scene) {
     FramePlanner planner(scene);

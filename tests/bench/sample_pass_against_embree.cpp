@@ -16,19 +16,11 @@
 #include "measure/embree_baseline.h"
 #include "report.h"
 #include "scene_catalogue.h"
+#include "timing.h"
 
 using namespace timeshade;
 
 namespace {
-
-double milliseconds(std::chrono::steady_clock::time_point since) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - since).count();
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 /// Draws the samples only; the technique is asked for nothing.
 class NoShadow final : public Technique {
@@ -66,10 +58,10 @@ double compare(FrameRenderer& renderer, const std::string& name, int rounds) {
         const double a = sampleMilliseconds(renderer, plan, none);
         const auto begin = std::chrono::steady_clock::now();
         rays.makeRays();
-        const double b = milliseconds(begin);
+        const double b = millisecondsSince(begin);
         const auto beginTracing = std::chrono::steady_clock::now();
         rays.tracePrimaries();
-        const double c = milliseconds(beginTracing);
+        const double c = millisecondsSince(beginTracing);
         if (round < 0) continue;
         drawn.push_back(a);
         made.push_back(b);

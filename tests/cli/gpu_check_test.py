@@ -15,7 +15,6 @@ while (($# > 0)); do
     case $1 in
     -o) out=$2 ;;
     --json) json=$2 ;;
-    --times) times=yes ;;
     esac
     command+=" $1"
     shift

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/gl_environment.h"
+#include "support/has_setting.h"
 #include "support/moving_scene.h"
 #include "techniques/registry.h"
 
@@ -21,9 +22,7 @@ std::vector<float> litOf(const FramePlan& plan, const std::string& name, bool as
 
 bool hasPublishedForm(const std::string& name) {
     const std::unique_ptr<Technique> technique = makeTechnique(name, sharedRenderer().programs());
-    for (const Setting& setting : settingsOf(*technique))
-        if (setting.key == "as_published") return true;
-    return false;
+    return hasSetting(*technique, "as_published");
 }
 
 TEST(ListOrder, DecidesNothing) {

@@ -12,6 +12,7 @@
 #include "support/awkward_numbers.h"
 #include "support/eventful_scene.h"
 #include "support/gl_environment.h"
+#include "support/has_setting.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -25,11 +26,6 @@ const std::vector<std::string> techniques = [] {
         if (makeTechnique(description.name, programs)->settlingFrames() == 0) names.push_back(description.name);
     return names;
 }();
-
-bool hasSetting(Technique& technique, const std::string& key) {
-    const std::vector<Setting> settings = settingsOf(technique);
-    return std::any_of(settings.begin(), settings.end(), [&](const Setting& setting) { return setting.key == key; });
-}
 
 /// Two renderers, so that neither disturbs the other's caches.
 FrameRenderer& plannedRenderer() { return sharedRenderer(); }

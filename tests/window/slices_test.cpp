@@ -82,7 +82,6 @@ TEST(Slices, WhatIsUnwantedEndsWithItsSlice) {
 
 TEST(Slices, NothingPausesWithinAPause) {
     int depth = 0;
-    Slices* inner = nullptr;
     Slices slices(
         [&] {
             EXPECT_EQ(++depth, 1);
@@ -90,8 +89,7 @@ TEST(Slices, NothingPausesWithinAPause) {
             --depth;
         },
         [] { return false; }, std::chrono::milliseconds(0));
-    inner = &slices;
-    const Slices::Work work(*inner);
+    const Slices::Work work(slices);
     workOf(2);
     const NoPauses whole;
     workOf(2);
