@@ -12,6 +12,7 @@
 #include "cases/expectation.h"
 #include "measure/case_matrix.h"
 #include "support/gl_environment.h"
+#include "support/thorough.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -93,7 +94,8 @@ TEST_P(ClosedForm, RightOrOffAsItStates) {
     // A focused map's texels are smaller than the expectation assumes.
     if (techniqueName == "history") setFromText(*technique, "fit", "0");
     // Grids for every tile of the map take a second a picture at 512.
-    const CaseResult r = runCase(sharedRenderer(), *technique, c, {8, techniqueName == "layers" ? 256 : 512});
+    const int map = techniqueName == "layers" ? usualOrAll(128, 256) : 512;
+    const CaseResult r = runCase(sharedRenderer(), *technique, c, {8, map});
     if (r.verdict == Verdict::NotTaken) GTEST_SKIP() << r.reason;
     EXPECT_NE(r.verdict, Verdict::Wrong) << r.value << " measured, " << r.exact << " (tolerance " << r.tolerance
                                          << ") is right, " << r.predicted << " (tolerance " << r.predictedTolerance

@@ -19,6 +19,7 @@ namespace timeshade {
 namespace {
 
 struct Kind {
+    const char* name;
     bool cameraTurns, directional;
 };
 
@@ -59,7 +60,10 @@ TEST_P(Exact, GridAndMapChangeNothing) {
     for (const char* buckets : {"1", "2", "3", "8", "31", "32"}) draw(256, "64", buckets);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Exact, testing::Values(Kind{false, false}, Kind{true, false}, Kind{false, true}));
+INSTANTIATE_TEST_SUITE_P(Kinds, Exact,
+                         testing::Values(Kind{"camera_moves", false, false}, Kind{"camera_turns", true, false},
+                                         Kind{"sun", false, true}),
+                         [](const auto& p) { return std::string(p.param.name); });
 
 std::size_t statisticOf(const Technique& exact, const std::string& name) {
     const std::vector<TechniqueStatistic> statistics = exact.statistics();
