@@ -35,10 +35,22 @@ void drawSeam(const Area& area, float share) {
                        IM_COL32(245, 245, 245, 255));
 }
 
-/// A label at the upper edge of [left, right], cut off where there is no room.
-void drawLabel(const std::string& text, float left, float right, float top, bool atRight, Widgets& widgets,
+/// As much of a label, part by part, as has room.
+std::string fitting(std::string text, float room) {
+    while (ImGui::CalcTextSize(text.c_str()).x > room) {
+        const std::size_t comma = text.rfind(", ");
+        if (comma == std::string::npos) break;
+        text.resize(comma);
+    }
+    return text;
+}
+
+/// A label at the upper edge of [left, right]; where there is no room, what stands first in it.
+void drawLabel(const std::string& whole, float left, float right, float top, bool atRight, Widgets& widgets,
                const std::string& id) {
     const float pad = 7.0f * widgets.scale();
+    widgets.dump().state("compare." + id, whole);
+    const std::string text = fitting(whole, right - left - 4.0f * pad);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float width = std::min(size.x + 2.0f * pad, right - left - 2.0f * pad);
     if (width < 4.0f * pad) return;
@@ -49,7 +61,6 @@ void drawLabel(const std::string& text, float left, float right, float top, bool
     list.PushClipRect(corner, end, true);
     list.AddText({corner.x + pad, corner.y + 0.5f * pad}, ImGui::GetColorU32(theme::text), text.c_str());
     list.PopClipRect();
-    widgets.dump().state("compare." + id, text);
 }
 
 std::string inWords(const std::array<int, 3>& levels) {

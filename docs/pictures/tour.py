@@ -35,12 +35,11 @@ class Tour:
         return whole - width + x * width, y * height
 
     def compared(self):
-        self.window.wait(lambda d: d["state"]["compared"] and "error" in d["state"].get("compare.first", ""),
-                         "both pictures with their errors", 500)
+        self.window.wait(lambda d: d["state"]["compared"], "both pictures", 500)
 
     def start(self):
         self.window = Window(self.display)
-        self.window.resize(920, 600)
+        self.window.resize(860, 560)
         self.compared()
         self.save("1-start")
 
@@ -53,7 +52,7 @@ class Tour:
 
     def magnifier(self):
         # The soft edge of the shadow of what moves.
-        self.window.point(*self.place(0.52, 0.66))
+        self.window.point(*self.place(0.365, 0.93))
         self.window.key("m")
         self.window.wait(lambda d: d["state"]["probe"] == [True, True], "all values", 400)
         self.save("3-magnifier")
@@ -70,7 +69,9 @@ class Tour:
         for section in ("camera", "time"):
             if shown(window.dump(), f"section.{section}"):
                 window.click(f"section.{section}")
+                window.frames(3)  # what is below has moved
         window.click("section.light")
+        window.wait(lambda d: shown(d, "section.light"), "the section")
         window.hand("keydown", "ctrl")
         window.drag(*self.place(0.5, 0.5), *self.place(0.62, 0.62))
         window.hand("keyup", "ctrl")

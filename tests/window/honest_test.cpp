@@ -1,5 +1,6 @@
 // Status and labels against the manifests of the pictures that are shown, in random states of a session.
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -21,7 +22,7 @@
 namespace timeshade {
 namespace {
 
-constexpr int states = 200, width = 40, height = 30;
+constexpr int states = 200, width = 100, height = 60;  // a little more than the least that previews have
 
 /// The manifest of a picture, from when it came to be shown, and whether it was asked for less than it is.
 struct Made {
@@ -109,7 +110,7 @@ class HonestFigures : public ::testing::Test {
         std::string expected = fmt::format("{}, map {}", sampleCountLabel(*made.technique(), made.spp()), made.map());
         EXPECT_TRUE(label.starts_with(expected)) << label << "\n" << expected;
         EXPECT_EQ(label.find("preview") != std::string::npos, made.preview()) << label;
-        if (made.preview()) EXPECT_EQ(label.find("error"), std::string::npos) << label;
+        EXPECT_FALSE(made.preview() && label.find("error") != std::string::npos) << label;
         ++labels_;
     }
 
@@ -140,6 +141,10 @@ TEST_F(HonestFigures, StatusAndLabelsAreThoseOfThePictureInRandomStates) {
     RandomHand hand(*session_, 11, {"accumulation", "static", "tsm"}, file_);
     for (int i = 0; i < states; ++i) {
         hand.change();
+        FrameRequest& request = session_->moment.request;
+        request.samplesPerPixel = std::min(request.samplesPerPixel, 6);  // more would only take longer
+        request.motionSteps = std::min(request.motionSteps, 2);
+        request.mapSize = std::min(request.mapSize.longerSide(), 512);
         for (Technique* technique : {&session_->technique.current(), session_->comparison.technique()})
             if (technique != nullptr && technique->description().name == "accumulation")
                 setFromText(*technique, "renders", std::to_string(2 + i % 3));  // a thousand would show no more

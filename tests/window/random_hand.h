@@ -81,6 +81,8 @@ class RandomHand {
     void changeScene() {
         if (session_.scene.recipe() == nullptr) return;
         changeSetting(*session_.scene.recipe());
+        for (Setting& setting : settingsOf(*session_.scene.recipe()))
+            if (setting.isWhole() && setting.get() > mostThings) setting.set(mostThings);
         session_.requests.rebuild = true;
     }
     void changeShutter() {
@@ -96,6 +98,8 @@ class RandomHand {
         camera.orbit(share() - 0.5, share() - 0.5);
         camera.zoom(0.5 + share());
     }
+
+    static constexpr double mostThings = 30.0;  // of a scene: thousands would only take longer to draw
 
     Session& session_;
     std::mt19937 random_;
