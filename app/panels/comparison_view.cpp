@@ -81,20 +81,38 @@ std::string pixelInWords(const Session& session, const PictureDifference& differ
     return fmt::format("A {}   B {}   apart {}", inWords(found->first), inWords(found->second), inWords(found->apart));
 }
 
+/// "A 1 2 3   B 4 5 6" as "A 1 2 3" and "B 4 5 6".
+std::vector<std::string> parts(const std::string& text) {
+    std::vector<std::string> all;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find("   ", at), text.size());
+        all.push_back(text.substr(at, end - at));
+        at = end + 3;
+    }
+    return all;
+}
+
 /// Which difference is how bright, and the pixel under the mouse, in levels of 255.
 void drawLegend(const Session& session, Widgets& widgets, const Area& area) {
     const PictureDifference& difference = *session.comparison.difference();
-    const float unit = widgets.scale(), pad = 7.0f * unit, bar = 120.0f * unit, height = 9.0f * unit;
-    const std::string pixel = pixelInWords(session, difference, area);
+    const float unit = widgets.scale(), pad = 7.0f * unit, height = 9.0f * unit, line = ImGui::GetTextLineHeight();
+    const bool narrow = area.size.x < 360.0f * unit;
+    const float bar = (narrow ? 50.0f : 120.0f) * unit;
     const std::string most = fmt::format("{:.3g} of 255 levels apart", 255.0 / difference.gain());
-    const float line = ImGui::GetTextLineHeight();
-    const float width = std::max({bar + 2.0f * pad + ImGui::CalcTextSize(most.c_str()).x + line,
-                                  ImGui::CalcTextSize(pixel.c_str()).x}) +
-                        2.0f * pad;
-    if (width > area.size.x || 5.0f * line > area.size.y) return;
-    const float rows = pixel.empty() ? 1.0f : 2.0f;
+    const std::string pixel = pixelInWords(session, difference, area);
+    widgets.dump().state("compare.legend", most);
+    widgets.dump().state("compare.pixel", pixel);
+    std::vector<std::string> rows{narrow ? most.substr(0, most.find(" of")) : most};
+    if (!pixel.empty() && narrow)
+        for (const std::string& part : parts(pixel)) rows.push_back(part);
+    else if (!pixel.empty())
+        rows.push_back(pixel);
+    const float indent = line + bar + pad;  // of the first row's text
+    float width = indent + ImGui::CalcTextSize(rows.front().c_str()).x;
+    for (std::size_t i = 1; i < rows.size(); ++i) width = std::max(width, ImGui::CalcTextSize(rows[i].c_str()).x);
     const ImVec2 end{area.position.x + area.size.x - pad, area.position.y + area.size.y - pad};
-    const ImVec2 corner{end.x - width, end.y - rows * line - 1.5f * pad};
+    const ImVec2 corner{end.x - width - 2.0f * pad, end.y - static_cast<float>(rows.size()) * line - pad};
+    if (corner.x < area.position.x || corner.y < area.position.y + 3.0f * line) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.AddRectFilled(corner, end, IM_COL32(12, 12, 14, 215), 3.0f * unit);
     const ImU32 text = ImGui::GetColorU32(theme::text), black = IM_COL32(0, 0, 0, 255),
@@ -104,10 +122,8 @@ void drawLegend(const Session& session, Widgets& widgets, const Area& area) {
     const float from = left + line, middle = top + 0.5f * (line - height);
     list.AddRectFilledMultiColor({from, middle}, {from + bar, middle + height}, black, white, white, black);
     list.AddRect({from, middle}, {from + bar, middle + height}, IM_COL32(120, 120, 125, 255));
-    list.AddText({from + bar + pad, top}, text, most.c_str());
-    if (!pixel.empty()) list.AddText({left, top + line + 0.5f * pad}, text, pixel.c_str());
-    widgets.dump().state("compare.legend", most);
-    widgets.dump().state("compare.pixel", pixel);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        list.AddText({i == 0 ? left + indent : left, top + static_cast<float>(i) * line}, text, rows[i].c_str());
 }
 
 /// Until the difference is known, the first picture.

@@ -222,7 +222,7 @@ std::string Comparison::label(const Session& session, bool ofSecond) const {
     if (ofSecond && truth_.samples() > 0) return truthLabel(truth_.samples());
     const ShownPicture& shown = ofSecond ? driver_->shown() : session.driver.shown();
     std::string text = shown.label;
-    if (!ofSecond || isTechnique()) text += fmt::format(", map {}", shown.drawn.mapSize.text());
+    if (shown.technique != truthName) text += fmt::format(", map {}", shown.drawn.mapSize.text());
     if (shown.instant) text += fmt::format(", u = {:.3g}", *shown.instant);
     if (shown.preview) text += ", preview";
     if (!shown.complete()) text += fmt::format(", {} done", shown.rendersDone);
