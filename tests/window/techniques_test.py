@@ -235,7 +235,7 @@ class Magnifier(WindowTest):
 
     def check_values_between(self, window):
         """Blurred over the map, and averaged over the whole shutter."""
-        rows = self.magnified(window, 0.5, 0.62)
+        rows = self.magnified(window, 0.52, 0.62)
         blurred = rows["static"]
         self.assertTrue(any(0.1 < lit < 0.9 for _, _, lit, _ in blurred), blurred)
         self.assertLessEqual({truth for _, _, _, truth in blurred}, {0, 1}, "a blur is no part of the truth")
