@@ -162,7 +162,8 @@ bool Interactive::drawWindow(bool atWork) {
     rememberLayout();
     fitPicture(layout.picture);
     drawPictureView(session_, widgets, layout.picture);
-    mouseHeld_ = mouse_.dragging() || (ImGui::IsAnyItemActive() && ImGui::GetIO().MouseDown[0]);
+    if (mouse_.flying()) drawAgain(2);
+    mouseHeld_ = mouse_.dragging() || mouse_.flying() || (ImGui::IsAnyItemActive() && ImGui::GetIO().MouseDown[0]);
     showTitle();
     dumpWindow(width, height);
     ui_.endFrame();
@@ -204,12 +205,19 @@ void Interactive::replace() {
     loadSettingsFile();
     if (std::exchange(session_.requests.recording, false))
         session_.recording.on() ? session_.recording.stop(session_) : session_.recording.start(session_);
+    if (std::exchange(session_.requests.fit, false)) {
+        const auto [wide, high] = session_.comparison.missingSize(session_.moment.request);
+        ui_.growBy(wide, high);
+    }
     if (!mouseHeld_) session_.keepForUndo();
     session_.graph.note(session_.driver.shown());
 }
 
 void Interactive::takeInput() {
-    for (const std::string& path : ui_.events().takeDropped()) session_.requests.scene = path;
+    for (const std::string& path : ui_.events().takeDropped()) {
+        const bool picture = ComparedSide::of(path).kind == ComparedSide::Kind::File;
+        (picture ? session_.requests.comparison : session_.requests.scene) = path;
+    }
     const std::vector<KeyPress> keys = ui_.events().takeKeys();
     keysHandled_ += keys.size();
     if (applyKeys(session_, keys)) glfwSetWindowShouldClose(window_, GLFW_TRUE);
@@ -249,7 +257,7 @@ void Interactive::work() {
     if (session_.recording.update(session_)) drawAgain(2);
     // One after the other: a step of each would make the window slower to respond.
     if (session_.diagnosticPicture.update(session_, session_.moment.request.width) ||
-        session_.accuracy.update(session_))
+        session_.accuracy.update(session_) || session_.caseStudy.update(session_))
         drawAgain(2);
     if (session_.screenshots.update(session_)) drawAgain(framesAfterActivity);
 }

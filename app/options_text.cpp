@@ -138,6 +138,7 @@ std::vector<PictureWord> pictureWords(const PictureOptions& options) {
         if (options.compareMode != defaults.compareMode)
             add("compare-mode", compareModes[static_cast<std::size_t>(options.compareMode)]);
         if (options.seam != defaults.seam) add("seam", fmt::format("{}", options.seam));
+        if (options.compareGain != defaults.compareGain) add("compare-gain", fmt::format("{}", options.compareGain));
     }
     if (options.forceDynamic) add("force-dynamic", "on");
     if (options.noCache) add("no-cache", "on");
@@ -157,9 +158,9 @@ std::string settingsJson(const PictureOptions& options, const std::string& windo
     for (const auto& [key, value] : pictureWords(options)) {
         const bool plain = key == "spp" || (key == "map" && options.mapSize.isSquare()) || key == "seed" ||
                            key == "frame" || key == "time" || key == "fps" || key == "shutter" ||
-                           key == "shutter-width" || key == "seam" || key == "instant" || key == "force-dynamic" ||
-                           key == "no-cache" || key == "motion-steps" || key == "pixel-centres" ||
-                           key == "time-strata" || isNumberOfLight(key);
+                           key == "shutter-width" || key == "seam" || key == "compare-gain" || key == "instant" ||
+                           key == "force-dynamic" || key == "no-cache" || key == "motion-steps" ||
+                           key == "pixel-centres" || key == "time-strata" || isNumberOfLight(key);
         json[key] = plain ? valueOf(value) : nlohmann::ordered_json(value);
     }
     for (const auto& [key, value] : options.settings) json["set"][key] = valueOf(value);

@@ -162,8 +162,9 @@ int runPictures(const PicturesOptions& options) {
         std::vector<DisplayImage> pictures;
         for (const ComparedTechnique& one : techniques) {
             FrameClock clock(renderer, planner, options.view, options.techniqueView);
-            clock.warmUp(*one.technique, request, steadyFrames);
-            const std::vector<ClockedFrame> frames = clock.time(*one.technique, request, steadyFrames);
+            const FrameRequest own = one.on(request);
+            clock.warmUp(*one.technique, own, steadyFrames);
+            const std::vector<ClockedFrame> frames = clock.time(*one.technique, own, steadyFrames);
             pictures.push_back(pictureOf(renderer));
             printTimes(techniques.size() == 1 ? name : name + ", " + one.technique->description().name, frames, path);
         }

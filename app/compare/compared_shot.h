@@ -12,8 +12,12 @@ namespace timeshade {
 struct ComparedShot {
     DisplayImage picture;
     std::string manifests;      ///< JSON: an object {"compare": [of the first, of the second]}
-    double milliseconds = 0.0;  ///< of both
+    double milliseconds = 0.0;  ///< of what techniques have drawn
 };
+
+/// What a picture says of a side that no technique has drawn, as JSON: the ground truth with its samples per pixel, or
+/// a file.
+std::string manifestOfSide(const std::string& name, int samples, int width, int height);
 
 /// The picture that --compare asks for, of one frame.
 ComparedShot drawCompared(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,

@@ -7,7 +7,6 @@
 
 #include "compare/composed_picture.h"
 #include "frame_setup.h"
-#include "measure/technique_variant.h"
 #include "options_text.h"
 
 namespace timeshade {
@@ -41,18 +40,42 @@ std::vector<std::string> labelsOf(const std::vector<ComparedTechnique>& techniqu
     return labels;
 }
 
+FrameRequest ComparedTechnique::on(FrameRequest request) const {
+    if (side.samplesPerPixel) request.samplesPerPixel = *side.samplesPerPixel;
+    return request;
+}
+
+namespace {
+
+ComparedTechnique comparedOf(const std::string& text, const PictureOptions& options, gl::ProgramCache& programs) {
+    ComparedTechnique compared{ComparedSide::of(text), nullptr, nullptr, ""};
+    const ComparedSide& side = compared.side;
+    switch (side.kind) {
+    case ComparedSide::Kind::Truth: compared.label = truthLabel(truthSamples); break;
+    case ComparedSide::Kind::File:
+        compared.file = std::make_unique<FilePicture>(side.path);
+        compared.file->requireSize(options.width, options.height);
+        compared.label = compared.file->label();
+        break;
+    case ComparedSide::Kind::Technique:
+        compared.technique = side.variant.make(options.settings, programs);
+        compared.label = sampleCountLabel(*compared.technique, side.samplesPerPixel.value_or(options.samplesPerPixel));
+    }
+    return compared;
+}
+
+}  // namespace
+
 std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::ProgramCache& programs) {
     std::vector<ComparedTechnique> techniques;
-    for (const std::string& variant : options.compared) {
-        techniques.push_back({TechniqueVariant::of(variant).make(options.settings, programs), ""});
-        techniques.back().label = sampleCountLabel(*techniques.back().technique, options.samplesPerPixel);
-    }
-    if (techniques.empty()) techniques.push_back({techniqueFor(options, programs), ""});
+    for (const std::string& variant : options.compared) techniques.push_back(comparedOf(variant, options, programs));
+    if (techniques.empty()) techniques.push_back({{}, techniqueFor(options, programs), nullptr, ""});
     return techniques;
 }
 
 FrameRequest askedByAll(FrameRequest request, const std::vector<ComparedTechnique>& techniques) {
-    for (const ComparedTechnique& compared : techniques) request = compared.technique->asked(std::move(request));
+    for (const ComparedTechnique& compared : techniques)
+        if (compared.technique) request = compared.technique->asked(std::move(request));
     return request;
 }
 
@@ -60,9 +83,10 @@ DisplayImage composedFor(const CompareOptions& options, double seam, const std::
                          const std::vector<DisplayImage>& pictures, const PictureText& text) {
     if (pictures.size() == 1) return pictures.front();
     const int width = pictures.front().width;
-    DisplayImage picture = composed(pictures[0], pictures[1], options.compareMode, seam);
+    DisplayImage picture = composed(pictures[0], pictures[1], options.compareMode, seam, options.compareGain);
     if (options.compareMode == CompareMode::Difference) {
-        text.drawLabel(picture, fmt::format("4 x |{} - {}|", labels[0], labels[1]), 0, width, PictureText::Side::Left);
+        text.drawLabel(picture, differenceLabel(options.compareGain, labels[0], labels[1]), 0, width,
+                       PictureText::Side::Left);
         return picture;
     }
     const int column = options.compareMode == CompareMode::Side ? width / 2 : seamColumn(width, seam);

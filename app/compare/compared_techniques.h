@@ -4,19 +4,26 @@
 #include <string>
 #include <vector>
 
+#include "compare/compared_side.h"
+#include "compare/file_picture.h"
 #include "compare/picture_text.h"
 #include "options/picture_options.h"
 #include "technique/technique.h"
 
 namespace timeshade {
 
-/// One of the techniques that are drawn of a moment, with what it is called on the picture.
+/// One of the sides that are drawn of a moment, with what it is called on the picture.
 struct ComparedTechnique {
-    std::unique_ptr<Technique> technique;
-    std::string label;  ///< "Ranges, 8 spp"; empty where it stands alone
+    ComparedSide side;
+    std::unique_ptr<Technique> technique;  ///< null for the ground truth and a file
+    std::unique_ptr<FilePicture> file;     ///< null for what is drawn
+    std::string label;                     ///< "Ranges, 8 spp"; empty where it stands alone
+
+    /// The request on its own number of samples, where it has one.
+    FrameRequest on(FrameRequest request) const;
 };
 
-/// The two that --compare names, or the one of --technique.
+/// The two that --compare names, or the one of --technique. Throws Error for a file that can't be read.
 std::vector<ComparedTechnique> techniquesFor(const PictureOptions& options, gl::ProgramCache& programs);
 
 /// The request as all of them ask for it: on one picture they are drawn on the same camera samples.

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <fmt/format.h>
+
 namespace timeshade {
 
 namespace {
-
-constexpr int amplification = 4;
 
 /// Copies columns [from, from + count) of a picture to those that begin at `to`.
 template <typename Image>
@@ -30,11 +30,11 @@ void drawSeam(DisplayImage& picture, int column) {
     }
 }
 
-DisplayImage difference(const DisplayImage& first, const DisplayImage& second) {
+DisplayImage difference(const DisplayImage& first, const DisplayImage& second, int gain) {
     DisplayImage result = first;
     for (std::size_t i = 0; i < result.rgb.size(); ++i)
         result.rgb[i] =
-            static_cast<std::uint8_t>(std::min(255, amplification * std::abs(int(first.rgb[i]) - int(second.rgb[i]))));
+            static_cast<std::uint8_t>(std::min(255, gain * std::abs(int(first.rgb[i]) - int(second.rgb[i]))));
     return result;
 }
 
@@ -59,8 +59,12 @@ Image joined(const Image& first, const Image& second, CompareMode mode, double s
 
 int seamColumn(int width, double seam) { return static_cast<int>(std::lround(std::clamp(seam, 0.0, 1.0) * width)); }
 
-DisplayImage composed(const DisplayImage& first, const DisplayImage& second, CompareMode mode, double seam) {
-    if (mode == CompareMode::Difference) return difference(first, second);
+std::string differenceLabel(int gain, const std::string& first, const std::string& second) {
+    return fmt::format("{} x |{} - {}|", gain, first, second);
+}
+
+DisplayImage composed(const DisplayImage& first, const DisplayImage& second, CompareMode mode, double seam, int gain) {
+    if (mode == CompareMode::Difference) return difference(first, second, gain);
     DisplayImage picture = joined(first, second, mode, seam);
     const int column = mode == CompareMode::Side ? picture.width / 2 : seamColumn(picture.width, seam);
     if (column > 0 && column < picture.width) drawSeam(picture, column);

@@ -12,6 +12,7 @@ void addPicturesCommand(CLI::App& app, Command& command) {
     declareDrawing(*pictures, *reading);
     whenRead(*pictures, command, reading, [](CommandReading<PicturesOptions>& read) {
         checkDrawing(read, {.comparisons = true, .techniqueViews = true}, read.options.output);
+        requireTechniques(read.options, "pictures of scenes come with times of techniques");
     });
 }
 

@@ -69,11 +69,11 @@ std::string drawOther(Session& session, Widgets& widgets) {
     if (names.empty()) return "";
     auto chosen = std::find(names.begin(), names.end(), session.accuracyOther);
     if (chosen == names.end()) chosen = names.begin();
-    const auto picked =
-        widgets.combo("accuracy.other", "Against", titles, static_cast<std::size_t>(chosen - names.begin()),
-                      "The technique that the two buttons choose, with as many samples a pixel (or renders) as make it "
-                      "as slow, or as wrong, as the current one.",
-                      names);
+    const auto picked = widgets.combo(
+        "accuracy.other", "Against", titles, static_cast<std::size_t>(chosen - names.begin()),
+        "The technique that the two buttons put beside the current one, as B, with as many samples a pixel "
+        "(or renders) as make it as slow, or as wrong.",
+        names);
     session.accuracyOther = picked ? names[*picked] : *chosen;
     return session.accuracyOther;
 }

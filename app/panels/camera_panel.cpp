@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "panels/panels.h"
@@ -16,10 +18,13 @@ void drawCameraPanel(Session& session, Widgets& widgets) {
             widgets.combo("camera", "", names, session.camera.orbit ? free : session.moment.request.cameraIndex, ""))
         if (*chosen < free) session.camera.useSceneCamera(session.moment, *chosen);
 
-    const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (widgets.button("camera.save", "Save view", half)) session.camera.save(session.scene.current(), session.moment);
+    const float save = 82.0f * widgets.scale();
+    const bool entered = widgets.field("camera.name", "name of a view to save", session.panels.viewName,
+                                       save + ImGui::GetStyle().ItemSpacing.x);
     ImGui::SameLine();
-    if (widgets.button("camera.reset", "Reset (R)", half))
+    if (widgets.button("camera.save", "Save view", save) || entered)
+        session.camera.save(session.scene.current(), session.moment, std::exchange(session.panels.viewName, {}));
+    if (widgets.button("camera.reset", "Reset (R)", ImGui::GetContentRegionAvail().x))
         session.camera.useSceneCamera(session.moment, session.moment.request.cameraIndex);
 
     std::optional<std::size_t> dropped;
@@ -36,7 +41,9 @@ void drawCameraPanel(Session& session, Widgets& widgets) {
     }
     if (dropped)
         session.camera.savedViews.erase(session.camera.savedViews.begin() + static_cast<std::ptrdiff_t>(*dropped));
-    widgets.paragraph("In the picture: drag to orbit, right-drag to pan, wheel to zoom.", theme::quiet);
+    widgets.paragraph(
+        "In the picture: drag to orbit, right-drag to pan, wheel to zoom, double-click to focus; W A S D to fly.",
+        theme::quiet);
 }
 
 }  // namespace timeshade

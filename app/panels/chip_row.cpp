@@ -15,8 +15,12 @@ void drawChips(Session& session, Widgets& widgets, const Area& picture) {
     const float margin = 8.0f * widgets.scale();
     // Below the labels of a comparison.
     const float top = session.comparison.on() ? ImGui::GetTextLineHeight() + 3.0f * margin : margin;
-    ImGui::SetNextWindowPos({picture.position.x + picture.size.x - margin, picture.position.y + top}, ImGuiCond_Always,
-                            {1.0f, 0.0f});
+    // Measured here: the window's own size is that of the chips of the frame before.
+    float width = ImGui::GetStyle().ItemSpacing.x * static_cast<float>(chips.size() - 1);
+    for (const Chip& chip : chips)
+        width += ImGui::CalcTextSize(chip.text.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    const float right = picture.position.x + picture.size.x - margin;
+    ImGui::SetNextWindowPos({right - width, picture.position.y + top});
     ImGui::SetNextWindowBgAlpha(0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
     ImGui::PushStyleVar(ImGuiStyleVar_FrameRounding, 9.0f * widgets.scale());

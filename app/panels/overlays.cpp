@@ -112,7 +112,7 @@ void drawPage(Session& session, Widgets& widgets, const Area& picture) {
 }
 
 void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
-    static constexpr std::array<std::array<const char*, 2>, 28> keys{
+    static constexpr std::array<std::array<const char*, 2>, 31> keys{
         {{"space", "play or pause"},
          {"left, right", "previous, next frame"},
          {", and .", "previous, next instant of the shutter"},
@@ -132,6 +132,9 @@ void drawKeys(Session& session, Widgets& widgets, const Area& picture) {
          {"drag", "orbit"},
          {"right-drag", "pan (or Shift and drag)"},
          {"wheel", "zoom"},
+         {"double-click", "focus on what is under the mouse (or F, with no comparison)"},
+         {"W A S D", "fly ahead, left, back, right; with Shift faster"},
+         {"E, Q", "fly up, down"},
          {"Ctrl-drag", "move the light"},
          {"Ctrl-click", "type into a slider"},
          {"Ctrl-C", "copy the command line of this picture"},

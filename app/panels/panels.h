@@ -23,6 +23,7 @@ void drawProbe(Session& session, Widgets& widgets, const Area& picture);
 /// The sections of the side panel, from top to bottom.
 void drawHeader(Session& session, Widgets& widgets);
 void drawScenePanel(Session& session, Widgets& widgets);
+void drawCasePanel(Session& session, Widgets& widgets);
 void drawTechniquePanel(Session& session, Widgets& widgets);
 void drawSamplingPanel(Session& session, Widgets& widgets);
 void drawViewPanel(Session& session, Widgets& widgets);

@@ -21,7 +21,6 @@ void drawCaseList(Session& session, Widgets& widgets) {
     }
     if (const auto chosen = widgets.combo("scene.case", "", names, current, ""))
         if (*chosen != current && *chosen > 0) session.requests.scene = names[*chosen];
-    if (current > 0) widgets.paragraph(caseScenes()[current - 1].summary, theme::quiet);
 }
 
 void drawClipList(Session& session, Widgets& widgets) {

@@ -50,6 +50,7 @@ void drawTab(Session& session, Widgets& widgets) {
     const std::string tab = session.panels.tab;
     if (tab == "scene") {
         drawScenePanel(session, widgets);
+        drawCasePanel(session, widgets);
         drawTimePanel(session, widgets);
         drawLightPanel(session, widgets);
         drawGroundPanel(session, widgets);

@@ -8,7 +8,7 @@
 namespace timeshade {
 
 void drawStory(Session& session, Widgets& widgets, const Area& picture) {
-    if (!session.comparison.on()) return;
+    if (session.comparison.technique() == nullptr) return;
     const float unit = widgets.scale(), margin = 12.0f * unit;
     const float width = std::min(340.0f * unit, picture.size.x - 2.0f * margin);
     if (width < 120.0f * unit || picture.size.y < 160.0f * unit) return;

@@ -94,6 +94,9 @@ void drawMemory(Session& session, Widgets& widgets) {
     widgets.figure("memory.technique", "Technique", inMebibytes(memory.technique));
     widgets.figure("memory.picture", "Picture", inMebibytes(memory.picture));
     widgets.figure("memory.total", "Total", inMebibytes(memory.total()));
+    if (session.comparison.on()) widgets.figure("memory.second", "Side B", inMebibytes(session.comparison.bytes()));
+    widgets.figure("memory.undo", fmt::format("Undo, {} steps", session.undo.undoable() + session.undo.redoable()),
+                   inMebibytes(session.undo.bytes()));
 }
 
 /// A bar a picture, the newest at the right; previews are paler.
@@ -128,7 +131,7 @@ void drawTimesPanel(Session& session, Widgets& widgets) {
         drawFrameGraph(session, widgets);
         drawTimes(session, widgets);
     }
-    if (widgets.section("section.memory", "GPU memory", false)) drawMemory(session, widgets);
+    if (widgets.section("section.memory", "Memory", false)) drawMemory(session, widgets);
 }
 
 }  // namespace timeshade

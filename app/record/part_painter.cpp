@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "compare/truth_picture.h"
 #include "frame/warm_up.h"
 #include "frame_setup.h"
 #include "record/camera_path.h"
@@ -52,8 +53,7 @@ std::optional<DisplayImage> PartPainter::next() {
     const FrameRequest request = askedByAll(requestNow(), techniques_);
     std::vector<DisplayImage> pictures;
     for (const ComparedTechnique& compared : techniques_) {
-        if (done_ == 0) drawWarmUp(renderer_, planner_, *compared.technique, request, part_.drawn.view);
-        std::optional<DisplayImage> picture = drawn(*compared.technique, request);
+        std::optional<DisplayImage> picture = pictureOf(compared, request);
         if (!picture) return std::nullopt;
         pictures.push_back(std::move(*picture));
     }
@@ -63,6 +63,19 @@ std::optional<DisplayImage> PartPainter::next() {
     text_.drawCaption(picture, part_.title, part_.caption);
     ++done_;
     return picture;
+}
+
+std::optional<DisplayImage> PartPainter::pictureOf(const ComparedTechnique& compared, const FrameRequest& request) {
+    const View view = part_.drawn.view;
+    if (compared.file) return compared.file->shown(request.look);
+    if (!compared.technique) {
+        const std::optional<LinearImage> truth =
+            drawTruth(renderer_, planner_, request, view, [](int, int) { return StopSignals::count() == 0; });
+        return truth ? std::optional(truthShown(*truth, view, request.look)) : std::nullopt;
+    }
+    const FrameRequest own = compared.on(request);
+    if (done_ == 0) drawWarmUp(renderer_, planner_, *compared.technique, own, view);
+    return drawn(*compared.technique, own);
 }
 
 std::optional<DisplayImage> PartPainter::drawn(Technique& technique, const FrameRequest& request) {

@@ -24,6 +24,7 @@ class PartPainter {
 
   private:
     FrameRequest requestNow() const;
+    std::optional<DisplayImage> pictureOf(const ComparedTechnique& compared, const FrameRequest& request);
     std::optional<DisplayImage> drawn(Technique& technique, const FrameRequest& request);
 
     FrameRenderer& renderer_;

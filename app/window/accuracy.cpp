@@ -118,6 +118,19 @@ std::optional<ProbeSubject> Accuracy::advanceMatch(Session& session) {
     return std::nullopt;
 }
 
+namespace {
+
+/// As side B, on its own samples where they are others than those of A.
+void showBeside(Session& session, const ProbeSubject& found) {
+    const std::unique_ptr<Technique> technique = techniqueOf(found, session.renderer.programs());
+    std::string text = wholeVariantOf(*technique);
+    if (found.samplesPerPixel != session.moment.request.samplesPerPixel)
+        text += fmt::format(":spp={}", found.samplesPerPixel);
+    session.requests.comparison = text;
+}
+
+}  // namespace
+
 void Accuracy::finishMatch(Session& session) {
     Match match = *std::exchange(match_, std::nullopt);
     const SampleCountSearch& search = match.search;
@@ -129,10 +142,7 @@ void Accuracy::finishMatch(Session& session) {
                                             amount(match.level, time ? match.of.milliseconds : match.of.shadowError));
     if (search.outcome() == SampleCountSearch::Outcome::Found) {
         said_ = fmt::format("{} matches {}.", other, current);
-        session.technique.leaveSettings(match.other.technique, match.other.settings);
-        session.moment.request.samplesPerPixel = match.other.samplesPerPixel;
-        session.requests.technique = match.other.technique;
-        session.accuracyOther = match.of.subject.technique;  // so that the buttons lead back
+        showBeside(session, match.other);
         session.notify(said_);
         return;
     }

@@ -41,8 +41,8 @@ class Accuracy {
     int revision() const { return revision_; }
 
     enum class Level { Time, Error };
-    /// Begins the search for the sample count at which the other technique is level with the current point; then
-    /// chooses both.
+    /// Begins the search for the sample count at which the other technique is level with the current point; what it
+    /// finds becomes side B of a comparison, and the picture's own settings stay.
     void match(Session& session, const std::string& technique, Level level);
     /// What is being tried: "tsm at 4 spp"; empty when nothing is.
     std::string trying() const;

@@ -20,8 +20,8 @@ void CameraControl::useSceneCamera(Moment& moment, std::size_t index) {
     moment.request.cameraIndex = index;
 }
 
-void CameraControl::save(const Scene& scene, const Moment& moment) {
-    savedViews.push_back({fmt::format("View {}", savedViews.size() + 1),
+void CameraControl::save(const Scene& scene, const Moment& moment, const std::string& name) {
+    savedViews.push_back({name.empty() ? fmt::format("View {}", savedViews.size() + 1) : name,
                           orbit ? *orbit : OrbitCamera(pose(scene, moment), scene.bounds())});
 }
 

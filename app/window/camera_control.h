@@ -11,7 +11,7 @@
 
 namespace timeshade {
 
-/// A view that the user saved for this run of the program.
+/// A view that the user saved; settings files and undo know it.
 struct SavedView {
     std::string name;
     OrbitCamera camera;
@@ -27,7 +27,8 @@ struct CameraControl {
     /// The user's camera; starts from where the scene's is.
     OrbitCamera& take(const Scene& scene, const Moment& moment);
     void useSceneCamera(Moment& moment, std::size_t index);
-    void save(const Scene& scene, const Moment& moment);
+    /// `name`: empty for "View 3".
+    void save(const Scene& scene, const Moment& moment, const std::string& name = {});
 };
 
 }  // namespace timeshade

@@ -6,6 +6,18 @@
 
 namespace timeshade {
 
+namespace {
+
+std::optional<Chip> truthChip(const Comparison& comparison) {
+    const TruthRefinement& truth = comparison.truth();
+    if (comparison.kind() != ComparedSide::Kind::Truth || truth.samples() == 0 || truth.complete()) return std::nullopt;
+    if (truth.stopped())
+        return Chip{"truth", fmt::format("ground truth stopped at {} spp", truth.samples()), "Goes on tracing rays"};
+    return Chip{"truth", fmt::format("ground truth {} of {} spp", truth.samples(), truthSamples), "Stops tracing rays"};
+}
+
+}  // namespace
+
 std::vector<Chip> chipsOf(const Session& session) {
     using State = FrameDriver::State;
     const FrameDriver& driver = session.driver;
@@ -18,6 +30,7 @@ std::vector<Chip> chipsOf(const Session& session) {
         chips.push_back({"rendering", fmt::format("rendering {:.0f} %", 100.0 * *done), "Stops rendering"});
     else if (driver.state() == State::Cancelled)
         chips.push_back({"stopped", "stopped", "Goes on rendering"});
+    if (const std::optional<Chip> truth = truthChip(session.comparison)) chips.push_back(*truth);
     if (shown.preview)
         chips.push_back({"preview", fmt::format("preview {} x {}", shown.drawn.width, shown.drawn.height),
                          "Draws the full picture now"});
@@ -38,6 +51,10 @@ void leaveState(Session& session, const std::string& id) {
     if (id == "stopped") {
         session.driver.resume();
         session.comparison.resume();
+    }
+    if (id == "truth") {
+        TruthRefinement& truth = session.comparison.truth();
+        truth.stopped() ? truth.resume() : truth.stop();
     }
     if (id == "preview") session.requests.full = true;
     if (id == "instant") session.moment.instant.reset();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #define GLFW_INCLUDE_NONE  // glad declares OpenGL
 #include <GLFW/glfw3.h>
@@ -9,6 +10,7 @@
 
 #include "techniques/registry.h"
 #include "window/chips.h"
+#include "window/seen_point.h"
 
 namespace timeshade {
 
@@ -17,15 +19,19 @@ namespace {
 /// As this version of ImGui numbers them: before 1.87, as GLFW does.
 namespace keys {
 #if IMGUI_VERSION_NUM >= 18700
-constexpr ImGuiKey magnify = ImGuiKey_M, flip = ImGuiKey_F;
+constexpr ImGuiKey magnify = ImGuiKey_M, flip = ImGuiKey_F, ahead = ImGuiKey_W, back = ImGuiKey_S, left = ImGuiKey_A,
+                   right = ImGuiKey_D, up = ImGuiKey_E, down = ImGuiKey_Q;
 #else
-constexpr int magnify = GLFW_KEY_M, flip = GLFW_KEY_F;
+constexpr int magnify = GLFW_KEY_M, flip = GLFW_KEY_F, ahead = GLFW_KEY_W, back = GLFW_KEY_S, left = GLFW_KEY_A,
+              right = GLFW_KEY_D, up = GLFW_KEY_E, down = GLFW_KEY_Q;
 #endif
 }  // namespace keys
 
 constexpr double radiansPerHeight = 3.0;  // of a drag over the whole height of the picture
 constexpr float seamReach = 8.0f;         // units of the window within which the seam is grasped
 constexpr double zoomPerNotch = 0.88;
+constexpr double flownPerSecond = 0.25;  // sizes of the scene
+constexpr double longestFlight = 0.1;    // seconds of one step: a slow frame is no leap
 
 /// From one of the comparing views back to the first.
 void nextView(Session& session) {
@@ -106,6 +112,20 @@ void pickPixel(Session& session, const Area& picture) {
         session.probe.pick(x, y);
 }
 
+/// Puts what the mouse is over into the middle.
+void focusUnderMouse(Session& session, const Area& picture) {
+    if (!session.driver.hasPlan() || picture.size.x <= 0.0f || picture.size.y <= 0.0f) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const double x = static_cast<double>((mouse.x - picture.position.x) / picture.size.x),
+                 y = static_cast<double>((mouse.y - picture.position.y) / picture.size.y);
+    if (x < 0.0 || x > 1.0 || y < 0.0 || y > 1.0) return;
+    const double aspectRatio = static_cast<double>(picture.size.x) / static_cast<double>(picture.size.y);
+    const CameraPose pose = session.camera.pose(session.scene.current(), session.moment);
+    const auto point = seenPoint(*session.renderer.plan().mesh, pose, aspectRatio, x, y);
+    if (!point) return session.notify("There is nothing under the mouse to focus on");
+    session.camera.take(session.scene.current(), session.moment).focus(*point);
+}
+
 /// Around the scene's centre: to the right as seen from the camera, and up.
 void moveLight(Session& session, double dx, double dy) {
     const Scene& scene = session.scene.current();
@@ -118,8 +138,21 @@ void moveLight(Session& session, double dx, double dy) {
 
 }  // namespace
 
+void PictureMouse::fly(Session& session) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto held = [&](auto key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
+    const glm::dvec3 way{held(keys::right) - held(keys::left), held(keys::up) - held(keys::down),
+                         held(keys::ahead) - held(keys::back)};
+    const double seconds = std::clamp(session.now - std::exchange(flownUntil_, session.now), 0.0, longestFlight);
+    flying_ = !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && way != glm::dvec3(0.0);
+    if (!flying_) return;
+    const double speed = flownPerSecond * (io.KeyShift ? 4.0 : 1.0);
+    session.camera.take(session.scene.current(), session.moment).fly(speed * seconds * way);
+}
+
 void PictureMouse::apply(Session& session, const Area& picture) {
     const ImGuiIO& io = ImGui::GetIO();
+    fly(session);
     if (!io.WantTextInput && ImGui::IsKeyPressed(keys::magnify, false)) pickPixel(session, picture);
     const bool down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     Comparison& comparison = session.comparison;
@@ -129,6 +162,9 @@ void PictureMouse::apply(Session& session, const Area& picture) {
         comparison.on() && comparison.mode == CompareMode::Wipe && !comparison.flip && picture.size.x > 0.0f;
     const auto seamX = picture.position.x + static_cast<float>(comparison.seam) * picture.size.x;
     const bool atSeam = wiping && !io.WantCaptureMouse && std::abs(io.MousePos.x - seamX) <= seamReach;
+    const bool focusKey = !comparison.on() && !io.WantTextInput && ImGui::IsKeyPressed(keys::flip, false);
+    if (focusKey || (ImGui::IsMouseDoubleClicked(0) && !io.WantCaptureMouse && !atSeam))
+        focusUnderMouse(session, picture);
     if (atSeam || movingSeam_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsMouseClicked(0) && atSeam)
         movingSeam_ = true;

@@ -9,14 +9,19 @@ namespace timeshade {
 /// Does what the keys say. True when the window is to close.
 bool applyKeys(Session& session, const std::vector<KeyPress>& keys);
 
-/// The mouse over the picture: the seam of a wipe, orbit, pan, zoom, and with Ctrl the light. Knows whether a drag
-/// began there.
+/// The mouse over the picture: the seam of a wipe, orbit, pan, zoom, focus, and with Ctrl the light; and the keys that
+/// fly while they are held. Knows whether a drag began there.
 class PictureMouse {
   public:
     void apply(Session& session, const Area& picture);
     bool dragging() const { return dragging_; }
+    bool flying() const { return flying_; }
 
   private:
+    void fly(Session& session);
+
+    bool flying_ = false;
+    double flownUntil_ = 0.0;  ///< of the session's clock
     bool dragging_ = false;
     bool movingSeam_ = false;
     bool movingLight_ = false;

@@ -45,6 +45,11 @@ bool sameMethod(const FrameDriver::Wanted& wanted, const std::string& technique,
     return technique == wanted.technique->description().name && methodKeyOf(wanted) == key;
 }
 
+bool isLess(const FrameRequest& drawn, const FrameRequest& asked) {
+    return drawn.width != asked.width || drawn.height != asked.height ||
+           drawn.samplesPerPixel != asked.samplesPerPixel || !(drawn.mapSize == asked.mapSize);
+}
+
 /// True while it lives.
 struct Flag {
     bool& flag;
@@ -126,9 +131,12 @@ void FrameDriver::proceed(const Wanted& wanted, bool changed, double now) {
 
 void FrameDriver::begin(const Wanted& wanted, int level) {
     const double start = milliseconds();
-    if (level != level_) forgetTimes();
-    level_ = level;
-    refine_ = level > 0;
+    const FrameRequest drawn = quality_.reduced(wanted.request, level);
+    // What can't be reduced any more is no preview.
+    const int newLevel = isLess(drawn, wanted.request) ? level : 0;
+    if (newLevel != level_) forgetTimes();
+    level_ = newLevel;
+    refine_ = level_ > 0;
     stop_ = false;
     ++begun_;
     state_ = State::Drawing;
@@ -137,7 +145,7 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
         renderer_.timer().finishFrame();  // of a picture that was given up half-way
         if (level == 0 && std::exchange(warmUp_, false))
             drawWarmUp(renderer_, *wanted.planner, *wanted.technique, wanted.request, wanted.view);
-        FramePlan plan = wanted.planner->plan(quality_.reduced(wanted.request, level));
+        FramePlan plan = wanted.planner->plan(drawn);
         renderer_.begin(std::move(plan), *wanted.technique, wanted.view, wanted.techniqueView);
         hasPlan_ = true;
         pausePoint();  // large buffers may have been made

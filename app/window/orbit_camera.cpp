@@ -24,6 +24,7 @@ glm::dmat3 orthonormal(const glm::dmat3& axes) {
 
 OrbitCamera::OrbitCamera(const CameraPose& pose, const Bounds& bounds) : pose_(pose), nearDistance_(pose.nearDistance) {
     const double size = std::max(bounds.diagonal(), 1e-9);
+    size_ = size;
     nearest_ = 1e-3 * size;
     farthest_ = 50.0 * size;
     distance_ = std::clamp(glm::dot(bounds.centre() - pose.eye, -pose.axes[2]), 0.02 * size, farthest_);
@@ -46,6 +47,16 @@ void OrbitCamera::pan(double right, double up) {
 
 void OrbitCamera::zoom(double factor) {
     distance_ = std::clamp(distance_ * factor, nearest_, farthest_);
+    place();
+}
+
+void OrbitCamera::focus(const glm::dvec3& point) {
+    target_ = point;
+    place();
+}
+
+void OrbitCamera::fly(const glm::dvec3& rightUpAhead) {
+    target_ += size_ * (pose_.axes * glm::dvec3(rightUpAhead.x, rightUpAhead.y, -rightUpAhead.z));
     place();
 }
 

@@ -21,6 +21,10 @@ class OrbitCamera {
     void pan(double right, double up);
     /// Multiplies the distance to the point of interest; it stays within what the scene makes sense of.
     void zoom(double factor);
+    /// Takes the point, in world space, as the point of interest, and moves so that it is in the middle of the picture.
+    void focus(const glm::dvec3& point);
+    /// Flies to the right, up and ahead, in sizes of the scene; the point of interest comes along.
+    void fly(const glm::dvec3& rightUpAhead);
 
   private:
     void place();
@@ -28,7 +32,7 @@ class OrbitCamera {
     CameraPose pose_;
     glm::dvec3 target_{0.0};
     double distance_ = 1.0;
-    double nearest_ = 0.0, farthest_ = 1.0;
+    double nearest_ = 0.0, farthest_ = 1.0, size_ = 1.0;
     double nearDistance_ = 0.01;  ///< of the pose it started from
 };
 

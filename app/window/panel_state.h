@@ -20,6 +20,8 @@ struct PanelState {
     std::map<std::string, bool> sections;                  ///< unfolded or not, where that is not as at a first start
     double textScale = 1.0;                                ///< the user's own, on top of the display's
     std::string scenePath;                                 ///< what is typed in the field of scenes
+    std::string viewName;                                  ///< and of a view to be saved
+    std::string comparePath;                               ///< and of pictures to compare with
     std::string sceneError;                                ///< one line, why the last one could not be opened
     std::string settingsPath = "timeshade-settings.json";  ///< what is typed in the field of settings files
     std::string lastCommand;                               ///< that was copied

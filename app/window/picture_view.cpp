@@ -35,7 +35,8 @@ void drawFilling(const gl::Texture& picture, const Area& area) {
 }  // namespace
 
 void drawPictureView(Session& session, Widgets& widgets, const Area& area) {
-    if (session.comparison.on() && session.comparison.picture() != nullptr)
+    const Comparison& comparison = session.comparison;
+    if (comparison.on() && (comparison.picture() != nullptr || !comparison.complaint().empty()))
         drawComparison(session, widgets, area);
     else if (const gl::Texture* diagnostic = session.diagnosticPicture.picture())
         drawFitted(*diagnostic, area);

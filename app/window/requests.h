@@ -13,13 +13,14 @@ struct Requests {
     std::optional<SceneChoice> choice;  ///< of the file that is shown: another clip or light
     std::optional<GroundSettings> ground;
     std::optional<std::string> technique;
-    std::optional<std::string> comparison;  ///< a technique to compare with; empty for none
+    std::optional<std::string> comparison;  ///< what to compare with, as --compare names it; empty: nothing
     std::optional<std::string> load;        ///< path of a settings file
     bool reload = false;                    ///< the shaders
     bool forget = false;                    ///< what techniques remember of frames before
     bool rebuild = false;                   ///< the recipe's settings have changed
     bool snapshot = false;                  ///< compare with a copy of the technique as it is set now
     bool swap = false;                      ///< swap A and B of the comparison
+    bool fit = false;                       ///< make the window fit the file that is compared with
     bool screenshot = false;
     bool exr = false;        ///< the screenshot is to be an EXR
     bool recording = false;  ///< start or stop

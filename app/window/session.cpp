@@ -17,7 +17,7 @@ Session::Session(const PictureOptions& givenOptions, std::unique_ptr<Scene> firs
       technique(techniqueFor(options, renderer.programs())),
       view{options.view, options.techniqueView, options.diagnostic},
       driver(renderer) {
-    compareAsOptions();
+    compareAsOptions(partnerOf(options));
     show(std::move(firstScene), options.scene);
 }
 
@@ -196,6 +196,7 @@ bool Session::hasScene(const PictureOptions& wanted) const {
 void Session::showAs(const PictureOptions& wanted, std::unique_ptr<Scene> opened) {
     requestFor(wanted, opened ? *opened : scene.current());  // throws for a camera that is not there
     std::unique_ptr<Technique> made = techniqueFor(wanted, renderer.programs());
+    Comparison::Partner partner = partnerOf(wanted);
     loading.cancel();
     options = wanted;
     technique.replace(std::move(made));
@@ -208,26 +209,34 @@ void Session::showAs(const PictureOptions& wanted, std::unique_ptr<Scene> opened
     } else {
         showMoment(scene.current());
     }
-    compareAsOptions();
+    compareAsOptions(std::move(partner));
     panels.sceneError.clear();
 }
 
-void Session::compareAsOptions() {
-    comparison.choose(nullptr);
+Comparison::Partner Session::partnerOf(const PictureOptions& wanted) {
+    if (wanted.compared.size() != 2) return {};
+    return Comparison::partnerOf(wanted.compared[1], wanted.settings, renderer.programs());
+}
+
+void Session::compareAsOptions(Comparison::Partner partner) {
+    comparison.choose(std::move(partner));
     comparison.mode = options.compareMode;
     comparison.seam = options.seam;
+    comparison.gain = options.compareGain;
     comparison.flip = false;
-    if (options.compared.size() != 2) return;
-    technique.replace(TechniqueVariant::of(options.compared[0]).make(options.settings, renderer.programs()));
-    comparison.choose(TechniqueVariant::of(options.compared[1]).make(options.settings, renderer.programs()));
+    if (options.compared.size() == 2)
+        technique.replace(TechniqueVariant::of(options.compared[0]).make(options.settings, renderer.programs()));
 }
 
 void Session::applyComparison() {
-    if (requests.snapshot) {
-        comparison.choose(TechniqueVariant::of(variantOf(technique.current())).make({}, renderer.programs()));
-    } else if (requests.comparison) {
-        const std::string& name = *requests.comparison;
-        comparison.choose(name.empty() ? nullptr : techniqueFor(name, options.settings, renderer.programs()));
+    std::optional<std::string> wanted = requests.comparison;
+    if (requests.snapshot) wanted = wholeVariantOf(technique.current());
+    if (wanted) {
+        try {
+            comparison.choose(Comparison::partnerOf(*wanted, options.settings, renderer.programs()));
+        } catch (const std::exception& error) {
+            notify(error.what(), true);  // as of a file
+        }
     }
     if (requests.swap) comparison.swap(*this);
     if (!comparison.on()) return;
@@ -301,7 +310,7 @@ void Session::applyRequests() {
     comparison.setPreview(panels.preview);
     if (requests.forget) {
         technique.current().forget();
-        if (comparison.on()) comparison.technique()->forget();
+        if (comparison.technique() != nullptr) comparison.technique()->forget();
     }
     requests.scene.reset();
     requests.choice.reset();
@@ -322,7 +331,7 @@ void Session::advance(double newNow, bool atWork) {
 
 FrameRequest Session::askedRequest() const {
     const FrameRequest request = technique.current().asked(moment.request);
-    return comparison.on() ? comparison.technique()->asked(request) : request;
+    return comparison.technique() != nullptr ? comparison.technique()->asked(request) : request;
 }
 
 FrameDriver::Wanted Session::wanted(bool mouseHeld) {

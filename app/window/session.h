@@ -9,6 +9,7 @@
 #include "scene/scene.h"
 #include "window/accuracy.h"
 #include "window/camera_control.h"
+#include "window/case_study.h"
 #include "window/comparison.h"
 #include "window/diagnostic_picture.h"
 #include "window/frame_driver.h"
@@ -87,6 +88,7 @@ struct Session {
     PixelProbe probe;
     DiagnosticPicture diagnosticPicture;
     Accuracy accuracy;
+    CaseStudy caseStudy;
     TrailChart trailChart;
     std::string accuracyOther;  ///< the technique that equal time and equal error choose
 
@@ -123,8 +125,10 @@ struct Session {
     void applyUndo();
     bool hasScene(const PictureOptions& wanted) const;
     void showAs(const PictureOptions& wanted, std::unique_ptr<Scene> opened);
+    /// The second of what is to be compared, if anything is. Throws for what can't be had.
+    Comparison::Partner partnerOf(const PictureOptions& wanted);
     /// Makes the comparison, if any, what the options say.
-    void compareAsOptions();
+    void compareAsOptions(Comparison::Partner partner);
 
     std::function<void(std::unique_ptr<Scene>)> whenLoaded_;
 };

@@ -134,6 +134,7 @@ PictureOptions pictureOptions(Session& session) {
                       [&](const auto& setting) { return setting.first.starts_with(session.technique.name() + "."); });
         options.compareMode = session.comparison.mode;
         options.seam = session.comparison.seam;
+        options.compareGain = session.comparison.gain;
         options.techniqueView.clear();
         options.diagnostic = Diagnostic::None;
     }
@@ -157,12 +158,7 @@ PictureOptions savedOptions(Session& session) {
     PictureOptions options = pictureOptions(session);
     session.addOtherSettings(options.settings);
     if (!session.comparison.on()) return options;
-    options.compared.clear();
-    for (Technique* technique : {&session.technique.current(), session.comparison.technique()}) {
-        std::string variant = technique->description().name;
-        for (const Setting& setting : settingsOf(*technique)) variant += ":" + setting.key + "=" + textOf(setting);
-        options.compared.push_back(std::move(variant));
-    }
+    options.compared = {wholeVariantOf(session.technique.current()), session.comparison.wholeVariant()};
     return options;
 }
 

@@ -138,6 +138,15 @@ void UiWindow::beginFrame(double textScale) {
     ImGui::NewFrame();
 }
 
+void UiWindow::growBy(int pixelsWide, int pixelsHigh) {
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    const auto units = [&](int pixels) {
+        return static_cast<int>(std::lround(static_cast<float>(pixels) / pixelsPerUnit_));
+    };
+    glfwSetWindowSize(window_, std::max(1, width + units(pixelsWide)), std::max(1, height + units(pixelsHigh)));
+}
+
 void UiWindow::endFrame() {
     ImGui::Render();
     int width = 0, height = 0;

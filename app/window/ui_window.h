@@ -14,6 +14,8 @@ class UiWindow {
     UiWindow(const UiWindow&) = delete;
     UiWindow& operator=(const UiWindow&) = delete;
 
+    /// Makes the window larger, or smaller, by so many pixels.
+    void growBy(int pixelsWide, int pixelsHigh);
     WindowEvents& events() { return events_; }
     /// Starts a frame. `textScale` is the user's wish, on top of the display's scale.
     void beginFrame(double textScale);

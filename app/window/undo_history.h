@@ -29,6 +29,13 @@ class UndoHistory {
 
     std::size_t undoable() const { return past_.size(); }
     std::size_t redoable() const { return future_.size(); }
+    /// What is kept, for states that have a size in bytes.
+    std::size_t bytes() const {
+        std::size_t bytes = current_ ? current_->size() : 0;
+        for (const std::deque<State>* states : {&past_, &future_})
+            for (const State& state : *states) bytes += sizeof(State) + state.size();
+        return bytes;
+    }
 
   private:
     std::optional<State> go(std::deque<State>& from, std::deque<State>& to) {

@@ -66,3 +66,6 @@ for figure in "octopus --camera above" "chess --camera knight"; do
         "$work/noise-row-$((noise = ${noise:-0} + 1)).png"
 done
 convert "$work"/noise-row-?.png -append -quality 88 "$here/interval-noise.jpg"
+
+# a newcomer's first steps in the window
+TIMESHADE=$here/../../build/release/timeshade "$here/tour.py" "$here"

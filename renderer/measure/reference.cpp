@@ -152,10 +152,17 @@ void ReferenceBuilder::add(const FramePlan& drawn, const LinearImage& batch) {
     for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += weights[i / 3] * static_cast<double>(batch.rgb[i]);
 }
 
-void ReferenceBuilder::finish() {
-    image_ = {plan_.request.width, plan_.request.height, {}};
+LinearImage ReferenceBuilder::soFar() const {
+    if (complete()) return image_;
+    LinearImage image{plan_.request.width, plan_.request.height, {}};
+    image.rgb.reserve(sum_.size());
     for (std::size_t i = 0; i < sum_.size(); ++i)
-        image_.rgb.push_back(static_cast<float>(sum_[i] / (weights_.empty() ? batches_ : weights_[i / 3])));
+        image.rgb.push_back(static_cast<float>(sum_[i] / (weights_.empty() ? done_ : weights_[i / 3])));
+    return image;
+}
+
+void ReferenceBuilder::finish() {
+    image_ = soFar();
     cache_.store(key_, image_);
     truth_.reset();  // and with it all that the ray tracer holds
 }

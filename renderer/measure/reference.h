@@ -37,6 +37,8 @@ class ReferenceBuilder {
     bool step(FrameRenderer& renderer);
     /// The picture, once it is complete.
     const LinearImage& image() const { return image_; }
+    /// The mean of the batches done, of which there must be one, or the picture.
+    LinearImage soFar() const;
 
   private:
     void add(const FramePlan& drawn, const LinearImage& batch);

@@ -332,26 +332,5 @@ class Instants(ProgramTest):
         self.assertGreater(Picture(instant).share_of_pixels_off(Picture(self.shot(*asked, "--frame", "10", "--shutter",
                                                                                   "0.6")), 4), 0.02)
 
-
-class Compared(ProgramTest):
-    def test_wipe_side_and_difference(self):
-        alone = {name: Picture(self.shot("pillars", "S.png", *QUICK, "--technique", name)) for name in ("tsm", "exact")}
-        asked = (*QUICK, "--compare", "tsm,exact")
-        row = 64 * 3
-        wipe = Picture(self.shot("pillars", "S.png", *asked, "--seam", "0.25", "--json", "S.json"))
-        self.assertEqual([one["technique"] for one in json.loads((self.folder / "S.json").read_text())["compare"]],
-                         ["tsm", "exact"])
-        side = Picture(self.shot("pillars", "S.png", *asked, "--compare-mode", "side"))
-        far = Picture(self.shot("pillars", "S.png", *asked, "--compare-mode", "difference"))
-        for y in range(24, 48):  # below the labels
-            tsm, exact = (alone[name].rgb[y * row:(y + 1) * row] for name in ("tsm", "exact"))
-            self.assertEqual(wipe.rgb[y * row:(y + 1) * row][:15 * 3], tsm[:15 * 3])
-            self.assertEqual(wipe.rgb[y * row:(y + 1) * row][18 * 3:], exact[18 * 3:])
-            self.assertEqual(side.rgb[y * row:(y + 1) * row][:31 * 3], tsm[16 * 3:47 * 3])
-            self.assertEqual(side.rgb[y * row:(y + 1) * row][34 * 3:], exact[18 * 3:48 * 3])
-            self.assertEqual(far.rgb[y * row:(y + 1) * row],
-                             bytes(min(255, 4 * abs(a - b)) for a, b in zip(tsm, exact)))
-
-
 if __name__ == "__main__":
     unittest.main()

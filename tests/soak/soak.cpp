@@ -136,6 +136,7 @@ class Soak {
                 setAtRandom(setting, numbers_);
         }
         holdDownBruteForce();
+        if (round == 2) moveLight(session_.moment.request.light);
         // Both kinds of size: software renderers compile a shader anew for textures whose sides are no powers of two.
         width_ = i % 2 == 0 ? largestWidth : largestWidth - 1;
         height_ = largestHeight - i % 3;
@@ -148,7 +149,7 @@ class Soak {
     void change() {
         Session& s = session_;
         bool moving = false;
-        switch (numbers_.below(8)) {
+        switch (numbers_.below(9)) {
         case 0: s.requests.scene = sceneNames_[numbers_.below(static_cast<std::uint32_t>(sceneNames_.size()))]; break;
         case 1:
             s.requests.technique = techniqueNames_[numbers_.below(static_cast<std::uint32_t>(techniqueNames_.size()))];
@@ -178,6 +179,7 @@ class Soak {
                            static_cast<double>(numbers_.between(-0.3f, 0.3f)));
             moving = true;
             break;
+        case 7: changeLightAndGround(); break;
         default: {
             s.moment.playback.jump(static_cast<double>(numbers_.below(48)));
             s.moment.request.seed = numbers_.word();
@@ -219,6 +221,30 @@ class Soak {
     static constexpr const char* crowdScene = "case:many_slivers";
     static constexpr int maxCrowdMap = 32;
     static constexpr int largestWidth = 64, largestHeight = 48, maxSamples = 8, smallestMap = 16, mapSteps = 4;
+
+    /// Turns and moves the light, or leaves it as the scene has it; a ground, or none, below what has meshes of a file.
+    void changeLightAndGround() {
+        LightChange light;
+        if (numbers_.oneIn(2)) {
+            moveLight(light);
+            light.direction = LightDirection{static_cast<double>(numbers_.between(-180.0f, 180.0f)),
+                                             static_cast<double>(numbers_.between(10.0f, 80.0f))};
+            light.intensity = static_cast<double>(numbers_.between(0.1f, 3.0f));
+        }
+        session_.moment.request.light = light;
+        GroundSettings ground;
+        ground.choice = static_cast<GroundChoice>(numbers_.below(3));
+        session_.requests.ground = ground;
+    }
+
+    /// By some degrees a frame, and a spot sideways: everything moves then as the light sees it.
+    void moveLight(LightChange& light) {
+        light.turn = static_cast<double>(numbers_.between(-20.0f, 20.0f));
+        light.rise = static_cast<double>(numbers_.between(-5.0f, 5.0f));
+        const Scene& scene = session_.scene.current();
+        if (scene.light(0.0).kind == LightKind::Spot)
+            light.move.x = 0.1 * scene.bounds().diagonal() * static_cast<double>(numbers_.unit());
+    }
 
     void holdDownBruteForce() {
         if (session_.technique.name() == "accumulation") setFromText(session_.technique.current(), "renders", "4");

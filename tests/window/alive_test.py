@@ -8,7 +8,7 @@ import re
 from desk import QUICK, WindowTest, run_tests, shown
 
 # A full frame of some seconds on a software renderer.
-SLOW = ("--size", "1000x700", "--spp", "32", "--map", "1024", "--gl-debug")
+SLOW = ("--size", "860x600", "--spp", "32", "--map", "1024", "--gl-debug")
 
 
 class Alive(WindowTest):
@@ -87,11 +87,12 @@ class Honest(WindowTest):
         return 2 if state["shown_preview"] else 1
 
     def test_figures_are_those_of_the_picture_that_is_shown(self):
+        """As they stand on the screen; 200 random states are those of a session without a window."""
         window = self.open("pillars", *QUICK, "--compare", "tsm,static", "--spp", "8")
         rng = random.Random(5)
         seen = {0: 0, 1: 0, 2: 0}
         keys = ("Right", "Left", "x", "period", "v", "1", "2", "space", "r")
-        for _ in range(12):
+        for _ in range(8):
             key = rng.choice(keys)
             window.key(key)
             if key == "space":
@@ -101,8 +102,8 @@ class Honest(WindowTest):
                 seen[self.check(window.dump())] += 1
                 window.frames(1)
             seen[self.check(window.settle())] += 1
-        self.assertGreater(seen[1], 5, seen)
-        self.assertGreater(seen[2], 5, seen)
+        self.assertGreater(seen[1], 4, seen)
+        self.assertGreater(seen[2], 3, seen)
         self.close(window)
 
 

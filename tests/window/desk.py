@@ -12,7 +12,7 @@ import time
 import unittest
 
 PROGRAM = os.environ.get("TIMESHADE", "")
-TOOLS = ("Xvfb", "xdotool", "import")
+TOOLS = ("Xvfb", "xdotool", "convert")
 SCREEN = (1600, 1000)
 # A small picture: a software renderer draws it in well under a second. The driver's complaints end in exit code 1.
 QUICK = ("--size", "900x600", "--spp", "2", "--map", "256", "--set", "accumulation.renders=4", "--gl-debug")
@@ -23,6 +23,21 @@ TABS = ("technique", "scene", "compare", "measure")
 
 def missing_tools():
     return [tool for tool in TOOLS if shutil.which(tool) is None]
+
+
+def differing(first, second, threshold):
+    """A number with one bit for each byte that differs from the other by more than the threshold. All bytes at once, in
+    16 bits each of one large number: a loop over them would take longer than the window does to draw them."""
+    lanes = int.from_bytes(b"\1\0" * len(first), "little")
+
+    def spread(data):
+        wide = bytearray(2 * len(data))
+        wide[::2] = data
+        return int.from_bytes(wide, "little")
+
+    one, other = spread(first), spread(second)
+    base, reach = 256 * lanes, (255 - threshold) * lanes
+    return (((one + base - other) + reach) | ((other + base - one) + reach)) & (512 * lanes)
 
 
 class Picture:
@@ -45,21 +60,10 @@ class Picture:
     def share_different(self, other, threshold=8):
         """Share of the pixels that differ by more than the threshold in any channel."""
         assert (self.width, self.height) == (other.width, other.height)
-        count = sum(1 for i in range(0, len(self.data), 3)
-                    if max(abs(self.data[i + c] - other.data[i + c]) for c in range(3)) > threshold)
-        return count / (self.width * self.height)
-
-
-def read_ppm(data):
-    fields, at = [], 0
-    while len(fields) < 4:
-        end = at
-        while data[end:end + 1] not in (b" ", b"\n", b"\t"):
-            end += 1
-        fields.append(data[at:end])
-        at = end + 1
-    assert fields[0] == b"P6" and fields[3] == b"255", fields
-    return Picture(int(fields[1]), int(fields[2]), data[at:])
+        if self.data == other.data:
+            return 0.0
+        flags = [differing(self.data[c::3], other.data[c::3], threshold) for c in range(3)]
+        return bin(flags[0] | flags[1] | flags[2]).count("1") / (self.width * self.height)
 
 
 def shown(dump, widget):
@@ -77,6 +81,15 @@ class ClientMessage(ctypes.Structure):
                 ("padding", ctypes.c_long * 24)]
 
 
+class XImage(ctypes.Structure):
+    """The first fields of Xlib's own."""
+
+    _fields_ = [("width", ctypes.c_int), ("height", ctypes.c_int), ("xoffset", ctypes.c_int), ("format", ctypes.c_int),
+                ("data", ctypes.c_void_p), ("byte_order", ctypes.c_int), ("bitmap_unit", ctypes.c_int),
+                ("bitmap_bit_order", ctypes.c_int), ("bitmap_pad", ctypes.c_int), ("depth", ctypes.c_int),
+                ("bytes_per_line", ctypes.c_int), ("bits_per_pixel", ctypes.c_int)]
+
+
 class Display:
     """An X server with nothing on it."""
 
@@ -89,8 +102,32 @@ class Display:
         os.close(writing)
         with os.fdopen(reading) as answer:
             self.name = ":" + answer.readline().strip()
+        self.x11 = ctypes.CDLL("libX11.so.6")
+        self.x11.XOpenDisplay.restype = self.x11.XGetImage.restype = ctypes.c_void_p
+        self.x11.XDefaultRootWindow.restype = ctypes.c_ulong
+        self.x11.XDefaultRootWindow.argtypes = self.x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+        self.x11.XGetImage.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_int, ctypes.c_uint,
+                                       ctypes.c_uint, ctypes.c_ulong, ctypes.c_int]
+        self.x11.XFree.argtypes = [ctypes.c_void_p]
+        self.connection = self.x11.XOpenDisplay(self.name.encode())
+
+    def seen(self, width, height):
+        """The upper left part of the screen."""
+        every_plane, by_pixel = ctypes.c_ulong(-1).value, 2
+        image = self.x11.XGetImage(self.connection, self.x11.XDefaultRootWindow(self.connection), 0, 0, width, height,
+                                   every_plane, by_pixel)
+        head = XImage.from_address(image)
+        assert (head.bits_per_pixel, head.bytes_per_line) == (32, 4 * width), "a screen of another kind"
+        data = ctypes.string_at(head.data, 4 * width * height)
+        self.x11.XFree(head.data)
+        self.x11.XFree(image)
+        rgb = bytearray(3 * width * height)
+        for channel in range(3):  # blue comes first
+            rgb[channel::3] = data[2 - channel::4]
+        return Picture(width, height, bytes(rgb))
 
     def close(self):
+        self.x11.XCloseDisplay(self.connection)
         self.process.terminate()
         self.process.wait(timeout=20)
 
@@ -100,6 +137,7 @@ class Window:
     everything else goes through the display, as a person's hands and eyes do."""
 
     def __init__(self, display, *arguments, **environment):
+        self.display = display
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="timeshade-window-"))
         self.dump_path = self.folder / "ui.json"
         self.errors = open(self.folder / "stderr", "w+b")
@@ -178,7 +216,7 @@ class Window:
         self.wait(lambda dump: dump["state"]["keys"] >= before + len(names), f"the keys {names}")
 
     def type(self, text):
-        self.hand("type", "--delay", "40", text)
+        self.hand("type", "--delay", "12", text)
 
     def frames(self, count):
         """Waits until the window has drawn so many more."""
@@ -270,12 +308,8 @@ class Window:
 
     def look(self):
         """The whole window."""
-        time.sleep(0.2)  # what the window has drawn last may still be on its way to the screen
-        width, height = self.state()["window"]
-        data = subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+0+0", "+repage", "-depth", "8",
-                               "ppm:-"],
-                              env=self.environment, check=True, capture_output=True, timeout=60).stdout
-        return read_ppm(data)
+        time.sleep(0.1)  # what the window has drawn last may still be on its way to the screen
+        return self.display.seen(*self.state()["window"])
 
     def look_at_picture(self):
         """Only the picture, without panels and without the row of states at its upper edge."""
@@ -322,9 +356,10 @@ class WindowTest(unittest.TestCase):
         self.assertEqual(window.standard_error(), "")
 
 
-def headless(command, folder):
+def headless(command, folder, **environment):
     """Runs a command line that the window has copied, in a shell and without a display."""
     names = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    names.update(environment)
     script = f"timeshade() {{ {PROGRAM!r} \"$@\"; }}\n{command}"
     done = subprocess.run(["bash", "-c", script], cwd=folder, env=names, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, f"{command}\n{done.stderr}"

@@ -2,14 +2,13 @@
 
 #include <functional>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/pause.h"
-#include "frame_setup.h"
+#include "random_hand.h"
 #include "scene_catalogue.h"
 #include "support/gl_environment.h"
 #include "techniques/registry.h"
@@ -111,77 +110,6 @@ TEST(SlicedFrame, CanBeLeftAnywhereAndDrawnAgain) {
         }
     }
 }
-
-/// Changes something about a session, as panels and keys do.
-class RandomHand {
-  public:
-    RandomHand(Session& session, unsigned seed) : session_(session), random_(seed) {}
-
-    void change() {
-        const std::vector<std::function<void()>> ways{
-            [&] { session_.requests.technique = anyTechnique(); },
-            [&] { session_.requests.comparison = upTo(3) == 0 ? "" : anyTechnique(); },
-            [&] { session_.requests.swap = true; },
-            [&] { session_.comparison.seam = share(); },
-            [&] { session_.comparison.mode = static_cast<CompareMode>(upTo(2)); },
-            [&] { session_.comparison.flip = !session_.comparison.flip; },
-            [&] { changeSetting(session_.technique.current()); },
-            [&] { changeSetting(session_.technique.current()); },
-            [&] { changeScene(); },
-            [&] { session_.moment.request.samplesPerPixel = 1 + upTo(31); },
-            [&] { session_.moment.request.mapSize = 64 << upTo(5); },
-            [&] { session_.moment.request.seed = static_cast<std::uint32_t>(upTo(100)); },
-            [&] { session_.moment.request.pixelCentres = !session_.moment.request.pixelCentres; },
-            [&] { session_.moment.request.motionSteps = 1 << upTo(3); },
-            [&] { changeShutter(); },
-            [&] { session_.moment.instant = upTo(1) == 0 ? std::optional(share()) : std::nullopt; },
-            [&] { session_.moment.playback.setSpeed(0.01 + 0.99 * share()); },
-            [&] { moveCamera(); },
-            [&] { session_.camera.useSceneCamera(session_.moment, 0); },
-            [&] { session_.view.light = upTo(1) == 0 ? View::Final : View::Visibility; },
-            [&] { session_.panels.textScale = 0.75 + share(); },
-            [&] { session_.panels.preview = static_cast<PreviewQuality::Choice>(upTo(2)); },
-            [&] { session_.requests.scene = upTo(1) == 0 ? "cubes" : "pillars"; }};
-        ways[static_cast<std::size_t>(upTo(static_cast<int>(ways.size()) - 1))]();
-        session_.applyRequests();
-    }
-
-  private:
-    int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
-    double share() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
-    std::string anyTechnique() {
-        return techniqueDescriptions()[static_cast<std::size_t>(
-                                           upTo(static_cast<int>(techniqueDescriptions().size()) - 1))]
-            .name;
-    }
-    void changeSetting(HasSettings& owner) {
-        std::vector<Setting> settings = settingsOf(owner);
-        if (settings.empty()) return;
-        Setting& setting = settings[static_cast<std::size_t>(upTo(static_cast<int>(settings.size()) - 1))];
-        setting.set(setting.minimum + share() * (setting.maximum - setting.minimum));
-    }
-    void changeScene() {
-        if (session_.scene.recipe() == nullptr) return;
-        changeSetting(*session_.scene.recipe());
-        session_.requests.rebuild = true;
-    }
-    void changeShutter() {
-        Shutter shutter = session_.moment.request.shutter;
-        shutter.length = 2.0 * share();
-        shutter.position = static_cast<ShutterPosition>(upTo(2));
-        shutter.response = static_cast<ShutterResponse>(upTo(2));
-        shutter.framesPerSecond = 1.0 + 100.0 * share();
-        session_.moment.setShutter(shutter, session_.scene.current().duration());
-    }
-    void moveCamera() {
-        OrbitCamera& camera = session_.camera.take(session_.scene.current(), session_.moment);
-        camera.orbit(share() - 0.5, share() - 0.5);
-        camera.zoom(0.5 + share());
-    }
-
-    Session& session_;
-    std::mt19937 random_;
-};
 
 PictureOptions smallOptions() {
     PictureOptions options;

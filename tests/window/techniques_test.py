@@ -9,11 +9,13 @@ import time
 from desk import PANEL_WIDTH, QUICK, WindowTest, headless, pixels, run_tests, shown
 
 SCENES = ("chess", "octopus", "pillars")
+# A history learns from many frames before the first: what is looked at here does not depend on how many.
+SHORT_HISTORY = ("--set", "history.warm_up=2")
 
 
 class Techniques(WindowTest):
     def test_every_technique_and_scene(self):
-        window = self.open("chess", "--technique", "tsm", *QUICK)
+        window = self.open("chess", "--technique", "tsm", *QUICK, "--size", "640x480", *SHORT_HISTORY)
         window.settle(technique="tsm", scene="chess")
         self.assert_readable(window)
         titles = self.technique_titles(window)
@@ -169,7 +171,7 @@ class Magnifier(WindowTest):
         last = None
         while dump["widgets"] != last:  # it takes its size and place a frame after its contents
             last = dump["widgets"]
-            time.sleep(1.0)
+            window.frames(2)
             dump = window.dump()
         rows = {name.split(".", 1)[1]: widget for name, widget in dump["widgets"].items() if name.startswith("probe.")}
         self.assertGreaterEqual(len(rows), 6)
@@ -200,8 +202,18 @@ class Magnifier(WindowTest):
                     self.assertLessEqual(min(max(abs(grey - 255 * one) for grey in line) for one in shown), 1,
                                          (value, row, line))
 
-    def test_the_samples_of_one_pixel(self):
-        window = self.open("pillars", "--technique", "tsm", *QUICK, "--spp", "8", "--size", "700x450")
+    def test_the_samples_of_pixels(self):
+        """In one window: every technique's programs are compiled once."""
+        window = self.open("pillars", "--technique", "tsm", "--set", "static.pcf_radius=2", *QUICK, "--spp", "8",
+                           "--frame", "12", "--size", "640x430", *SHORT_HISTORY)
+        self.check_samples(window)
+        self.check_values_between(window)
+        window.choose("scene", "foliage")
+        window.settle(scene="foliage")
+        self.check_cut_out(window)
+        self.close(window)
+
+    def check_samples(self, window):
         rows = self.magnified(window, 0.4, 0.75)
         self.assertLessEqual({"tsm", "exact", "static"}, set(rows))
         self.assertEqual({len(values) for values in rows.values()}, {8})
@@ -220,20 +232,10 @@ class Magnifier(WindowTest):
         self.assertLess(abs(lit - sum(truth) / len(truth)), 0.35, "a pixel's centre against eight of its samples")
         window.key("m")
         window.wait_state(probe=[False, False])
-        self.close(window)
 
-    def test_what_alpha_cuts_out_has_values_but_no_segments(self):
-        window = self.open("foliage", "--technique", "static", *QUICK, "--spp", "4", "--size", "700x450")
-        rows = self.magnified(window, 0.5, 0.6)
-        self.assertEqual({len(values) for values in rows.values()}, {4})
-        self.assertNotIn("seen.segments", window.dump()["widgets"])
-        self.close(window)
-
-    def test_values_between_lit_and_shadowed(self):
+    def check_values_between(self, window):
         """Blurred over the map, and averaged over the whole shutter."""
-        window = self.open("pillars", "--technique", "static", "--set", "static.pcf_radius=2", *QUICK, "--spp", "8",
-                           "--frame", "12")
-        rows = self.magnified(window, 0.5, 0.62)
+        rows = self.magnified(window, 0.52, 0.62)
         blurred = rows["static"]
         self.assertTrue(any(0.1 < lit < 0.9 for _, _, lit, _ in blurred), blurred)
         self.assertLessEqual({truth for _, _, _, truth in blurred}, {0, 1}, "a blur is no part of the truth")
@@ -242,7 +244,14 @@ class Magnifier(WindowTest):
         for values in averaging:
             self.assertEqual({tuple(value[:2]) for value in values}, {(0, 1)})
             self.assertTrue(any(0.1 < truth < 0.9 for _, _, _, truth in values), values)
-        self.close(window)
+        window.key("m")
+        window.wait_state(probe=[False, False])
+
+    def check_cut_out(self, window):
+        """What alpha cuts out has values but no segments."""
+        rows = self.magnified(window, 0.5, 0.6)
+        self.assertEqual({len(values) for values in rows.values()}, {8})
+        self.assertNotIn("seen.segments", window.dump()["widgets"])
 
 
 class Shaders(WindowTest):
@@ -287,7 +296,8 @@ class Accuracy(WindowTest):
     def test_live_point_and_equal_time(self):
         cache = tempfile.mkdtemp(prefix="timeshade-cache-")
         self.addCleanup(shutil.rmtree, cache, ignore_errors=True)
-        window = self.open("pillars", "--technique", "tsm", *QUICK, XDG_CACHE_HOME=cache)
+        # Low and wide: the reference is made for few pixels.
+        window = self.open("pillars", "--technique", "tsm", *QUICK, "--size", "900x330", XDG_CACHE_HOME=cache)
         window.settle()
         begun = window.state()["begun"]
         self.assertNotIn("accuracy", window.state())
@@ -305,10 +315,16 @@ class Accuracy(WindowTest):
         # How long things take is the machine's affair: a busy one may find that no sample count takes as long.
         said = dump["state"]["accuracy"]["said"]
         self.assertIn("Static map at", said)
+        spp = window.value("spp")
+        window.open_tab("measure")
         if not said.startswith("Out of range"):
             samples = int(said.split("Static map at ")[1].split(" spp")[0])
-            window.settle(technique="static")
-            self.assertEqual(window.value("spp"), samples)
+            compared = window.wait(lambda d: len(d["state"]["compare"]) == 2, "what was found as B")["state"]["compare"]
+            self.assertEqual(compared[1], "static" if samples == spp else f"static:spp={samples}")
+            self.assertEqual((compared[0], window.settle(technique="tsm")["state"]["technique"]), ("tsm", "tsm"))
+            self.assertEqual(window.value("spp"), spp, "A is left as it was")
+            window.choose("compare", "none")
+            window.settle(compare=[])
         # The two views that compare, each with its legend.
         window.click("view/error")
         window.wait_state(diagnostic=["error", True])

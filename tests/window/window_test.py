@@ -163,7 +163,7 @@ class Motion(WindowTest):
 
 class Windows(WindowTest):
     def test_sizes(self):
-        window = self.open("chess", "--technique", "static", *QUICK)
+        window = self.open("chess", "--technique", "static", *QUICK, "--spp", "1", "--map", "128")
         window.settle()
         for size in ((1, 1), (40, 30), (300, 900), (1500, 200), (1600, 1000), (2, 700), (900, 600)):
             window.resize(*size)
