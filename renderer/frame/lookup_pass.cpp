@@ -21,6 +21,16 @@ bool mayCacheStatic(const Footprint& footprint) {
 
 }  // namespace
 
+const gl::Program& programOf(gl::ProgramCache& programs, const TechniqueFrame& frame, const Lookup& lookup,
+                             const LookupProgram& wanted, const gl::ShaderDefines& purpose) {
+    gl::ShaderDefines defines = frame.defines();
+    if (lookup.footprint.time == Footprint::Time::Stratum) defines.emplace_back("FOOTPRINT_STRATUM", "1");
+    if (lookup.footprint.time == Footprint::Time::Shutter) defines.emplace_back("FOOTPRINT_SHUTTER", "1");
+    for (const gl::ShaderDefines* more : {&purpose, &wanted.defines})
+        defines.insert(defines.end(), more->begin(), more->end());
+    return programs.get({wanted.label, "passes/fullscreen.vert", wanted.fragment, std::move(defines)});
+}
+
 LookupPass::StaticVisibility::StaticVisibility(int width, int height, int strata)
     : lit(gl::Texture::array2D("cached visibility", GL_R32F, width, height, strata)),
       cells(gl::Texture::image2D("cells of cached visibility", GL_RGBA16F, width, height)),
@@ -56,14 +66,10 @@ std::optional<StillPixels> LookupPass::draw(const TechniqueFrame& frame, const L
 const gl::Program& LookupPass::use(const TechniqueFrame& frame, const Lookup& lookup, Casters casters,
                                    const gl::ShaderDefines& purpose) {
     const LookupProgram wanted = lookup.program(casters);
-    gl::ShaderDefines defines = frame.defines();
-    if (lookup.footprint.time == Footprint::Time::Stratum) defines.emplace_back("FOOTPRINT_STRATUM", "1");
-    if (lookup.footprint.time == Footprint::Time::Shutter) defines.emplace_back("FOOTPRINT_SHUTTER", "1");
+    gl::ShaderDefines defines;
     if (casters == Casters::Static) defines.emplace_back("STATIC_CASTERS_ONLY", "1");
-    for (const gl::ShaderDefines* more : {&purpose, &wanted.defines})
-        defines.insert(defines.end(), more->begin(), more->end());
-    const gl::Program& program =
-        programs_.get({wanted.label, "passes/fullscreen.vert", wanted.fragment, std::move(defines)});
+    defines.insert(defines.end(), purpose.begin(), purpose.end());
+    const gl::Program& program = programOf(programs_, frame, lookup, wanted, defines);
     program.use(wanted.inputs);
     return program;
 }

@@ -23,6 +23,11 @@ struct Lookup {
                                              ///< where that is not known
 };
 
+/// The program `wanted` of a lookup, with the defines of the frame, of the times that its footprint spans, of the
+/// purpose that it is drawn for, and its own.
+const gl::Program& programOf(gl::ProgramCache& programs, const TechniqueFrame& frame, const Lookup& lookup,
+                             const LookupProgram& wanted, const gl::ShaderDefines& purpose);
+
 /// Draws a lookup program (shaders/lib/lookup.glsl) over the visibility buffer, once a stratum, and tests nothing
 /// twice:
 /// - where nothing moves and the frame is the one before, the buffer holds the visibility already;

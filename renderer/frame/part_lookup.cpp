@@ -28,14 +28,9 @@ void PartLookup::draw(const TechniqueFrame& frame, const Lookup& lookup, const I
         glClearTexImage(values_->name(), 0, GL_RGBA, GL_FLOAT, none);
     }
     LookupProgram wanted = lookup.program(Casters::All);
-    gl::ShaderDefines defines = frame.defines();
-    if (lookup.footprint.time == Footprint::Time::Stratum) defines.emplace_back("FOOTPRINT_STRATUM", "1");
-    if (lookup.footprint.time == Footprint::Time::Shutter) defines.emplace_back("FOOTPRINT_SHUTTER", "1");
-    defines.emplace_back("INTERVAL_SAMPLES", "1");
+    gl::ShaderDefines defines{{"INTERVAL_SAMPLES", "1"}};
     if (solvesIntervals) defines.emplace_back("SOLVES_INTERVALS", "1");
-    defines.insert(defines.end(), wanted.defines.begin(), wanted.defines.end());
-    const gl::Program& program =
-        programs_.get({wanted.label, "passes/fullscreen.vert", wanted.fragment, std::move(defines)});
+    const gl::Program& program = programOf(programs_, frame, lookup, wanted, defines);
     wanted.inputs.texture("seenParts", samples.parts()).set("partCount", samples.partCount());
     program.use(wanted.inputs);
     target_.setColorCount(1);

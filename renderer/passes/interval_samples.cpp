@@ -94,13 +94,13 @@ void IntervalSamples::draw(const FramePlan& plan, const GpuMesh& mesh, SampleBuf
     const std::size_t places = static_cast<std::size_t>(ids.width()) * static_cast<std::size_t>(ids.height()) *
                                static_cast<std::size_t>(ids.layers());
     std::size_t wanted = std::max<std::size_t>(counts_.parts, places * (cutAtStrata ? plan.block.strata : 1));
-    for (apart_ = 1;;) {
+    for (std::uint32_t apart = 1;;) {
         parts_.reserve(wanted, advice);
-        solve(plan, samples, depth, cutAtStrata);
+        solve(plan, samples, depth, cutAtStrata, apart);
         const bool fits = counts_.parts <= parts_.buffer().bytes() / sizeof(SeenPart);
         if (fits && counts_.unsolved == 0) break;
-        if (counts_.unsolved > 0 && apart_ > 1) throw tooManyTriangles(counts_.unsolved);
-        if (counts_.unsolved > 0) apart_ = SEEN_GROUP;
+        if (counts_.unsolved > 0 && apart > 1) throw tooManyTriangles(counts_.unsolved);
+        if (counts_.unsolved > 0) apart = SEEN_GROUP;
         wanted = std::max<std::size_t>(wanted, counts_.parts);
     }
 }
@@ -110,7 +110,7 @@ std::uint32_t IntervalSamples::placesTogether() const {
 }
 
 void IntervalSamples::solve(const FramePlan& plan, const SampleBuffer& samples, const gl::Texture& staticDepth,
-                            bool cutAtStrata) {
+                            bool cutAtStrata, std::uint32_t apart) {
     counts_ = {};
     std::uint32_t unsolved = 0;
     samples.ids().bind(SAMPLE_IDS_UNIT);
@@ -133,7 +133,7 @@ void IntervalSamples::solve(const FramePlan& plan, const SampleBuffer& samples, 
                 .set("buckets", candidates_->buckets);
             solveBatch(plan, all, batch);
         }
-        writeParts(inputs, batch, cutAtStrata);
+        writeParts(inputs, batch, cutAtStrata, apart);
         unsolved += counts_.unsolved;
     }
     counts_.unsolved = unsolved;
@@ -184,7 +184,7 @@ bool IntervalSamples::solveSlices(const gl::Program& program, std::uint32_t firs
     return true;
 }
 
-void IntervalSamples::writeParts(const gl::Inputs& inputs, Batch batch, bool cutAtStrata) {
+void IntervalSamples::writeParts(const gl::Inputs& inputs, Batch batch, bool cutAtStrata, std::uint32_t apart) {
     gl::ShaderDefines defines;
     if (cutAtStrata) defines.emplace_back("CUT_AT_STRATA", "1");
     if (candidates_) defines.emplace_back("MOVING_TRIANGLES", "1");
@@ -196,9 +196,9 @@ void IntervalSamples::writeParts(const gl::Inputs& inputs, Batch batch, bool cut
     gl::Inputs all = inputs;
     all.texture("partsOfPositions", *partsOfPositions_)
         .set("partRoom", static_cast<std::uint32_t>(parts_.buffer().bytes() / sizeof(SeenPart)))
-        .set("apart", apart_);
+        .set("apart", apart);
     program.use(all);
-    gl::dispatch(gl::groupsFor(static_cast<std::size_t>(batch.places) * apart_, SEEN_GROUP));
+    gl::dispatch(gl::groupsFor(static_cast<std::size_t>(batch.places) * apart, SEEN_GROUP));
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     counts_ = readCounts();
 }

@@ -69,10 +69,12 @@ class IntervalSamples {
         std::size_t bytes() const;
     };
     const gl::Texture& drawStatic(const FramePlan& plan, const GpuMesh& mesh, SampleBuffer& samples);
-    void solve(const FramePlan& plan, const SampleBuffer& samples, const gl::Texture& staticDepth, bool cutAtStrata);
+    /// `apart`: of so many invocations one writes parts.
+    void solve(const FramePlan& plan, const SampleBuffer& samples, const gl::Texture& staticDepth, bool cutAtStrata,
+               std::uint32_t apart);
     void solveBatch(const FramePlan& plan, const gl::Inputs& inputs, Batch batch);
     bool solveSlices(const gl::Program& program, std::uint32_t firstSlices);
-    void writeParts(const gl::Inputs& inputs, Batch batch, bool cutAtStrata);
+    void writeParts(const gl::Inputs& inputs, Batch batch, bool cutAtStrata, std::uint32_t apart);
     std::uint32_t placesTogether() const;
     Counts readCounts() const;
 
@@ -84,7 +86,6 @@ class IntervalSamples {
     std::optional<Candidates> candidates_;
     std::optional<gl::Texture> partsOfPositions_;
     Counts counts_;
-    std::uint32_t apart_ = 1;  ///< one of so many invocations works
 };
 
 }  // namespace timeshade
