@@ -13,7 +13,7 @@ import zlib
 
 PROGRAM = os.environ.get("TIMESHADE", "")
 SCENES = ("chess", "octopus", "pillars")  # those that are files
-COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube", "foliage")
+COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube", "foliage", "ball")
 
 
 def listed_techniques():
