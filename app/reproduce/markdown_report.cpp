@@ -1,5 +1,7 @@
 #include "reproduce/markdown_report.h"
 
+#include <optional>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -45,6 +47,16 @@ std::string claimsText(const FigureResult& result) {
                    fmt::format("**{}**: {}", wordFor(verdict.verdict), verdict.why)});
     }
     return text + "\n";
+}
+
+/// Of a refuted claim, where it has one and it is there.
+std::optional<ClaimPicture> pictureOf(const PaperResult& result, const FigureResult& figure, std::size_t claim) {
+    const std::string& file = figure.figure.claims[claim].picture;
+    if (figure.verdicts[claim].verdict != Verdict::Refuted || file.empty()) return std::nullopt;
+    const std::filesystem::path path = result.folder / figure.folder / file;
+    if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+    return ClaimPicture{path, fmt::format("{}-{}-{}.png", result.list.name, figure.folder,
+                                          std::filesystem::path(file).parent_path().string())};
 }
 
 std::string stepsText(const FigureResult& result) {
@@ -100,15 +112,28 @@ std::string markdownReport(const PaperResult& result) {
     return text;
 }
 
-std::string claimsTable(const std::vector<PaperResult>& results) {
-    std::string text = rowOf({"paper", "where", "what it says", "its number", "ours", "verdict", "why"}) + ruler(7);
+std::vector<ClaimPicture> refutedPictures(const std::vector<PaperResult>& results) {
+    std::vector<ClaimPicture> pictures;
+    for (const PaperResult& result : results)
+        for (const FigureResult& figure : result.figures)
+            for (std::size_t i = 0; i < figure.verdicts.size(); ++i)
+                if (const std::optional<ClaimPicture> picture = pictureOf(result, figure, i))
+                    pictures.push_back(*picture);
+    return pictures;
+}
+
+std::string claimsTable(const std::vector<PaperResult>& results, const std::string& pictures) {
+    std::string text =
+        rowOf({"paper", "where", "what it says", "its number", "ours", "verdict", "why", "picture"}) + ruler(8);
     for (const PaperResult& result : results)
         for (const FigureResult& figure : result.figures)
             for (std::size_t i = 0; i < figure.verdicts.size(); ++i) {
                 const PaperClaim& claim = figure.figure.claims[i];
+                const std::optional<ClaimPicture> picture = pictureOf(result, figure, i);
                 text +=
                     rowOf({result.list.name, claim.stands, claim.says, claim.number, shownValues(claim, figure.values),
-                           fmt::format("**{}**", wordFor(figure.verdicts[i].verdict)), figure.verdicts[i].why});
+                           fmt::format("**{}**", wordFor(figure.verdicts[i].verdict)), figure.verdicts[i].why,
+                           picture ? fmt::format("[ours]({}/{})", pictures, picture->name) : ""});
             }
     return text;
 }

@@ -1,12 +1,14 @@
 #include "reproduce/reproduce.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <timeshade/commit.h>  // generated
 
 #include "core/error.h"
+#include "core/file_bytes.h"
 #include "core/folder_lock.h"
 #include "core/nearest_word.h"
 #include "image/image_file.h"
@@ -20,6 +22,8 @@
 namespace timeshade {
 
 namespace {
+
+constexpr const char* claimPictures = "pictures/claims";  // beside the table
 
 /// The figures of these numbers, in the list's order; all of none.
 std::vector<PaperFigure> chosen(const PaperList& list, const std::vector<std::string>& numbers) {
@@ -36,12 +40,24 @@ std::vector<PaperFigure> chosen(const PaperList& list, const std::vector<std::st
     return figures;
 }
 
+/// The names between commas, each once, or all.
+std::vector<std::string> papersIn(const std::string& text) {
+    if (text == "all") return paperNames();
+    std::istringstream stream(text);
+    std::vector<std::string> names;
+    for (std::string name; std::getline(stream, name, ',');)
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    return names;
+}
+
 std::vector<PaperRequest> requestsOf(const ReproduceOptions& options) {
-    const bool all = options.paper == "all";
-    if (all && !options.figures.empty())
-        throw UsageError(fmt::format("reproduce all {}: expected no figures, or one paper", options.figures.front()));
+    const std::vector<std::string> names = papersIn(options.paper);
+    const bool several = options.paper == "all" || names.size() > 1;
+    if (several && !options.figures.empty())
+        throw UsageError(
+            fmt::format("reproduce {} {}: expected no figures, or one paper", options.paper, options.figures.front()));
     std::vector<PaperRequest> requests;
-    for (const std::string& name : all ? paperNames() : std::vector<std::string>{options.paper}) {
+    for (const std::string& name : names) {
         PaperRequest request{readPaperList(name, options.quick),
                              {},
                              options.output,
@@ -49,7 +65,7 @@ std::vector<PaperRequest> requestsOf(const ReproduceOptions& options) {
                              options.commandLine,
                              options.quick};
         request.figures = chosen(request.list, options.figures);
-        if (all) request.folder /= name;
+        if (several) request.folder /= name;
         requests.push_back(std::move(request));
     }
     return requests;
@@ -69,7 +85,20 @@ std::string claimsDocument(const std::vector<PaperResult>& results, const Reprod
         "beside it.\n";
     text += fmt::format("\n    {}\n\n", options.commandLine);
     text += fmt::format("{}{}.\n\n", options.quick ? "Quick form. " : "", deviceInWords(results.front().device));
-    return text + claimsTable(results);
+    return text + claimsTable(results, claimPictures);
+}
+
+/// The table, and the pictures that it links to.
+void writeClaims(const std::vector<PaperResult>& results, const ReproduceOptions& options) {
+    const std::filesystem::path folder = std::filesystem::path(options.claims).parent_path() / claimPictures;
+    const std::vector<ClaimPicture> pictures = refutedPictures(results);
+    if (!pictures.empty()) madeFolder(folder);
+    for (const ClaimPicture& picture : pictures) {
+        const std::vector<unsigned char> bytes = readFileBytes(picture.from);
+        writeFileAtomically(folder / picture.name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    writeFileAtomically(options.claims, claimsDocument(results, options));
+    fmt::print("{}\n", fullPath(options.claims));
 }
 
 }  // namespace
@@ -87,10 +116,7 @@ int runReproduce(const ReproduceOptions& options) {
             throw Error(fmt::format("{}: {}; the same command goes on from here", options.output, StopSignals::name()));
         writeReports(results.back());
     }
-    if (!options.claims.empty()) {
-        writeFileAtomically(options.claims, claimsDocument(results, options));
-        fmt::print("{}\n", fullPath(options.claims));
-    }
+    if (!options.claims.empty()) writeClaims(results, options);
     const auto failed = [](const PaperResult& result) { return result.failed(); };
     if (std::none_of(results.begin(), results.end(), failed)) return 0;
     tell("error: some steps have failed; the pages say which");

@@ -41,7 +41,7 @@ class Reproduce(ProgramTest):
         return {"figure": "3.1", "status": "reproduced", "caption": "c", "steps": steps, "values": values,
                 "pairs": [{"left": {"file": "picture/picture.png", "caption": "l"},
                            "right": {"file": "picture/picture.png", "caption": "r"}}],
-                "claims": [{"says": "a is right more often", "stands": "section 1",
+                "claims": [{"says": "a is right more often", "stands": "section 1", "picture": "picture/picture.png",
                             "rule": {"test": "less", "of": ["a", "b"]}}]}
 
     def reproduce(self, *arguments, code=0):
@@ -80,6 +80,9 @@ class Reproduce(ProgramTest):
         self.assertIn("0 confirmed, 1 refuted", self.reproduce("--claims", "claims.md"))
         claims = (self.folder / "claims.md").read_text()
         self.assertIn("| **refuted** | does not hold: a (", claims)
+        self.assertIn("| [ours](pictures/claims/tiny2001-3.1-picture.png) |", claims)
+        self.assertEqual((self.folder / "pictures/claims/tiny2001-3.1-picture.png").read_bytes(),
+                         (self.folder / "out/3.1/picture/picture.png").read_bytes())
         page = (self.folder / "out/index.html").read_text()
         self.assertIn('<b class="refuted">refuted</b> does not hold: a (', page)
         self.assertIn("Tiny &lt;things&gt;", page)
@@ -96,6 +99,15 @@ class Reproduce(ProgramTest):
         self.declare([self.figure("nosuch", "tsm")])
         self.assertIn("0 confirmed, 0 refuted, 1 not comparable", self.reproduce(code=1))
 
+    def test_several_papers_have_folders_of_their_own(self):
+        drawing = [{"figure": "1", "status": "drawing", "caption": "d"}]
+        self.declare(drawing)
+        self.declare(drawing, "other2002")
+        done = self.run_program("reproduce", "other2002,tiny2001,other2002", "-o", "out", env=self.env)
+        self.assertEqual((done.returncode, done.stdout.count("index.html")), (0, 2), done.stderr)
+        for name in ("tiny2001", "other2002"):
+            self.assertIn("An explanatory drawing", (self.folder / "out" / name / "report.md").read_text())
+
     def test_one_figure_alone(self):
         self.declare([{"figure": "1", "status": "drawing", "caption": "d"}, self.figure("exact", "tsm")])
         self.reproduce("1")
@@ -110,6 +122,7 @@ class Refusals(ProgramTest):
         self.refuse(2, ["reproduce scherzer2007 7: no such figure", "1, 2, 3, 4, 5, 6"],
                     "reproduce", "scherzer2007", "7", "-o", "out")
         self.refuse(2, ["reproduce all 3"], "reproduce", "all", "3", "-o", "out")
+        self.refuse(2, ["reproduce palmer,hong2017 3"], "reproduce", "palmer,hong2017", "3", "-o", "out")
         self.refuse(2, ["output"], "reproduce", "palmer")
         self.refuse(2, ["paper"], "reproduce", "-o", "out")
         self.refuse(2, ["claims.txt", ".md"], "reproduce", "palmer", "-o", "out", "--claims", "claims.txt")
