@@ -26,11 +26,7 @@ double csvNumber(const std::string& text);
 /// nothing is thrown.
 MeasuredValues readValues(const PaperFigure& figure, const std::filesystem::path& folder);
 
-/// The renderer that the outputs below the folder name, and the processor; empty where none does.
-struct UsedDevice {
-    std::string name;
-    bool software = false;
-};
+/// The renderer that the outputs below the folder name; without a name where none does.
 UsedDevice deviceIn(const std::filesystem::path& folder);
 
 }  // namespace timeshade

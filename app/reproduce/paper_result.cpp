@@ -91,7 +91,7 @@ FigureResult figureResult(const PaperFigure& figure, std::vector<StepRecord> ste
     const std::filesystem::path folder = paper / result.folder;
     result.values = readValues(figure, folder);
     for (const PaperClaim& claim : figure.claims)
-        result.verdicts.push_back(verdictOf(claim.rule, result.values, device.name));
+        result.verdicts.push_back(verdictOf(claim.rule, result.values, device));
     for (const PaperChart& chart : figure.charts)
         result.charts.push_back(drawn(chart, result.charts.size() + 1, folder));
     return result;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <system_error>
 
 #include <fcntl.h>
@@ -61,6 +62,13 @@ class StepSignals {
     posix_spawnattr_t attributes_;
 };
 
+/// A step works in another folder than this program: where data lies must not depend on it.
+void makeDataPathsAbsolute() {
+    for (const char* name : {"TIMESHADE_DATA", "TIMESHADE_SHADERS", "TIMESHADE_SCENES", "XDG_CACHE_HOME"})
+        if (const char* path = std::getenv(name); path && *path != '\0')
+            ::setenv(name, std::filesystem::absolute(path).c_str(), 1);
+}
+
 int waitFor(pid_t child) {
     int status = 0;
     while (::waitpid(child, &status, 0) < 0) {
@@ -78,6 +86,7 @@ int runThisProgram(const std::vector<std::string>& arguments, const std::filesys
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
+    makeDataPathsAbsolute();
     const StepFiles files(folder);
     const StepSignals signals;
     pid_t child = -1;

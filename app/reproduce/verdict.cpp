@@ -110,7 +110,12 @@ const Kind* kindOf(const std::string& name) {
     return found == std::end(kinds) ? nullptr : found;
 }
 
-VerdictOf ofAll(const PaperRule& rule, const MeasuredValues& values, const std::string& device) {
+bool isOf(const std::string& hardware, const UsedDevice& device) {
+    if (hardware == "a GPU") return !device.software && !device.name.empty();
+    return device.name.find(hardware) != std::string::npos;
+}
+
+VerdictOf ofAll(const PaperRule& rule, const MeasuredValues& values, const UsedDevice& device) {
     VerdictOf whole{Verdict::Confirmed, ""};
     for (const PaperRule& each : rule.all) {
         const VerdictOf part = verdictOf(each, values, device);
@@ -123,10 +128,10 @@ VerdictOf ofAll(const PaperRule& rule, const MeasuredValues& values, const std::
 
 }  // namespace
 
-VerdictOf verdictOf(const PaperRule& rule, const MeasuredValues& values, const std::string& device) {
-    if (!rule.hardware.empty() && device.find(rule.hardware) == std::string::npos)
+VerdictOf verdictOf(const PaperRule& rule, const MeasuredValues& values, const UsedDevice& device) {
+    if (!isOf(rule.hardware, device))
         return {Verdict::NotComparable, fmt::format("stated for {}, drawn on {}", rule.hardware,
-                                                    device.empty() ? "an unknown device" : device)};
+                                                    device.name.empty() ? "an unknown device" : device.name)};
     if (rule.kind == "all") return ofAll(rule, values, device);
     Measured of;
     for (const std::string& name : rule.of) {

@@ -17,6 +17,12 @@ struct MeasuredValue {
 
 using MeasuredValues = std::map<std::string, MeasuredValue>;
 
+/// What the outputs of a paper were drawn on.
+struct UsedDevice {
+    std::string name;
+    bool software = false;
+};
+
 enum class Verdict { Confirmed, Refuted, NotComparable };
 
 struct VerdictOf {
@@ -36,8 +42,9 @@ struct VerdictOf {
 /// - all: all of its rules hold.
 /// - none: there is nothing to compare, `why` says for what reason, `hardware` what it would take.
 ///
-/// Not comparable where a value is missing, or where a rule is of some hardware and `device` is another.
-VerdictOf verdictOf(const PaperRule& rule, const MeasuredValues& values, const std::string& device);
+/// Not comparable where a value is missing, or where a rule is of some hardware and the device is another: its name
+/// does not hold that of the rule, or it is a software renderer and the rule is of "a GPU".
+VerdictOf verdictOf(const PaperRule& rule, const MeasuredValues& values, const UsedDevice& device);
 
 /// Throws Error for a rule of another kind, or with too few values.
 void requireKnownRule(const PaperRule& rule);

@@ -27,7 +27,7 @@ PaperRule rule(const std::string& kind, std::vector<std::string> of, double expe
 }
 
 Verdict verdict(const PaperRule& of, const MeasuredValues& numbers) {
-    return verdictOf(of, numbers, "llvmpipe").verdict;
+    return verdictOf(of, numbers, {"llvmpipe", true}).verdict;
 }
 
 constexpr Verdict yes = Verdict::Confirmed, no = Verdict::Refuted, open = Verdict::NotComparable;
@@ -88,25 +88,29 @@ TEST(Verdict, OfSeveralRulesNeedsAllOfThem) {
 TEST(Verdict, IsNotGivenWithoutNumbersOrOnOtherHardware) {
     MeasuredValues missing = values({{"a", 1.0}});
     missing["b"] = {std::nullopt, "the other", "", "step/f.json: cannot read"};
-    const VerdictOf none = verdictOf(rule("less", {"a", "b"}), missing, "");
+    const VerdictOf none = verdictOf(rule("less", {"a", "b"}), missing, {});
     EXPECT_EQ(none.verdict, open);
     EXPECT_NE(none.why.find("the other is missing: step/f.json"), std::string::npos) << none.why;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(verdict(rule("near", {"a"}, 1.0, 0.1), values({{"a", nan}})), no) << "NaN confirms nothing";
     PaperRule card = rule("at_most", {"a"}, 3.0);
     card.hardware = "GTX 980";
-    EXPECT_EQ(verdictOf(card, missing, "NVIDIA GeForce GTX 980/PCIe").verdict, yes);
-    const VerdictOf other = verdictOf(card, missing, "llvmpipe");
+    EXPECT_EQ(verdictOf(card, missing, {"NVIDIA GeForce GTX 980/PCIe", false}).verdict, yes);
+    const VerdictOf other = verdictOf(card, missing, {"llvmpipe", true});
     EXPECT_EQ(other.verdict, open);
     EXPECT_EQ(other.why, "stated for GTX 980, drawn on llvmpipe");
+    card.hardware = "a GPU";
+    EXPECT_EQ(verdictOf(card, missing, {"NVIDIA GeForce GTX 980/PCIe", false}).verdict, yes);
+    EXPECT_EQ(verdictOf(card, missing, {"llvmpipe", true}).verdict, open);
+    EXPECT_EQ(verdictOf(card, missing, {}).verdict, open);
 }
 
 TEST(Verdict, SaysItsRuleWithItsNumbers) {
     PaperRule less = rule("less", {"a", "b"});
     less.by = 0.5;
-    EXPECT_EQ(verdictOf(less, values({{"a", 1.0}, {"b", 4.0}}), "").why,
+    EXPECT_EQ(verdictOf(less, values({{"a", 1.0}, {"b", 4.0}}), {}).why,
               "holds: a (1 ms) is less than 0.5 times b (4 ms)");
-    EXPECT_EQ(verdictOf(less, values({{"a", 3.0}, {"b", 4.0}}), "").why,
+    EXPECT_EQ(verdictOf(less, values({{"a", 3.0}, {"b", 4.0}}), {}).why,
               "does not hold: a (3 ms) is less than 0.5 times b (4 ms)");
 }
 
