@@ -64,7 +64,7 @@ class StepSignals {
 
 /// A step works in another folder than this program: where data lies must not depend on it.
 void makeDataPathsAbsolute() {
-    for (const char* name : {"TIMESHADE_DATA", "TIMESHADE_SHADERS", "TIMESHADE_SCENES", "XDG_CACHE_HOME"})
+    for (const char* name : {"TIMESHADE_DATA", "TIMESHADE_SHADERS", "TIMESHADE_SCENES"})
         if (const char* path = std::getenv(name); path && *path != '\0')
             ::setenv(name, std::filesystem::absolute(path).c_str(), 1);
 }
