@@ -12,6 +12,7 @@
 #include "interactive.h"
 #include "measure.h"
 #include "options/command.h"
+#include "reproduce/reproduce.h"
 #include "standard_error.h"
 #include "verify.h"
 
@@ -28,6 +29,7 @@ struct Runner {
     int operator()(const VerifyOptions& options) const { return runVerify(options); }
     int operator()(const MeasureOptions& options) const { return runMeasure(options); }
     int operator()(const EpipolarOptions& options) const { return runEpipolar(options); }
+    int operator()(const ReproduceOptions& options) const { return runReproduce(options); }
     int operator()(const CasesOptions& options) const { return runCases(options); }
     int operator()(const ListOptions& options) const { return runList(options); }
 };

@@ -26,7 +26,7 @@ add_custom_target(timeshade_help ALL DEPENDS ${help_files})
 install(TARGETS timeshade RUNTIME COMPONENT program)
 install(PROGRAMS scripts/gpu_check.sh DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME timeshade-gpu-check COMPONENT program)
 install(DIRECTORY shaders DESTINATION ${data} COMPONENT program)
-install(DIRECTORY assets/scenes DESTINATION ${data}/assets COMPONENT program)
+install(DIRECTORY assets/scenes assets/papers DESTINATION ${data}/assets COMPONENT program)
 install(FILES assets/demo.json assets/story.json assets/SOURCES.md DESTINATION ${data}/assets COMPONENT program)
 install(DIRECTORY renderer/techniques DESTINATION ${data}/renderer COMPONENT program
         FILES_MATCHING PATTERN page.png)

@@ -52,8 +52,8 @@ std::vector<std::string> withSettings(const std::vector<std::string>& arguments,
 }
 
 const std::vector<std::string>& commandNames() {
-    static const std::vector<std::string> names{"view",    "shot",     "record", "pictures", "verify",
-                                                "measure", "epipolar", "cases",  "list"};
+    static const std::vector<std::string> names{"view",    "shot",     "record",    "pictures", "verify",
+                                                "measure", "epipolar", "reproduce", "cases",    "list"};
     return names;
 }
 
@@ -116,6 +116,7 @@ void keepCommandLine(Command& command, const std::string& typed) {
         if constexpr (std::is_base_of_v<RunOptions, std::decay_t<decltype(options)>>) options.commandLine = typed;
     };
     std::visit(keep, command);
+    if (auto* reproduce = std::get_if<ReproduceOptions>(&command)) reproduce->commandLine = typed;
 }
 
 }  // namespace
@@ -138,6 +139,7 @@ Command parseArguments(const std::vector<std::string>& given) {
     addVerifyCommand(app, command);
     addMeasureCommand(app, command);
     addEpipolarCommand(app, command);
+    addReproduceCommand(app, command);
     addCasesCommand(app, command);
     addListCommand(app, command);
     addHelpCommand(app);

@@ -10,6 +10,7 @@
 #include "options/measure_options.h"
 #include "options/pictures_options.h"
 #include "options/record_options.h"
+#include "options/reproduce_options.h"
 #include "options/shot_options.h"
 #include "options/verify_options.h"
 #include "options/view_options.h"
@@ -20,7 +21,7 @@ struct FileSetting;
 
 /// What the command line (and a settings file) asks for, checked as far as that is possible without a scene or OpenGL.
 using Command = std::variant<ViewOptions, ShotOptions, RecordOptions, PicturesOptions, VerifyOptions, MeasureOptions,
-                             EpipolarOptions, CasesOptions, ListOptions>;
+                             EpipolarOptions, ReproduceOptions, CasesOptions, ListOptions>;
 
 /// Reads the command line. Prints help or the version and exits with 0 where asked; throws UsageError otherwise.
 Command parseCommandLine(int argumentCount, char** arguments);
@@ -40,6 +41,7 @@ void addPicturesCommand(CLI::App& app, Command& command);
 void addVerifyCommand(CLI::App& app, Command& command);
 void addMeasureCommand(CLI::App& app, Command& command);
 void addEpipolarCommand(CLI::App& app, Command& command);
+void addReproduceCommand(CLI::App& app, Command& command);
 void addCasesCommand(CLI::App& app, Command& command);
 void addListCommand(CLI::App& app, Command& command);
 

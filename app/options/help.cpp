@@ -118,6 +118,8 @@ const std::vector<CommandExample>& commandExamples() {
         {"measure", "timeshade measure chess --techniques tsm,exact --spps 2,4,8 -o measured", "tables and charts"},
         {"measure", "timeshade measure chess --equal-time exact,tsm -o equal", "pictures that take as long"},
         {"epipolar", "timeshade epipolar crossing --technique exact --row 0.5 -o line.png", "a row of the map"},
+        {"reproduce", "timeshade reproduce hong2019 --quick -o hong2019", "every figure of a paper; open index.html"},
+        {"reproduce", "timeshade reproduce scherzer2007 3 5 -o scherzer2007", "two of them"},
         {"cases", "timeshade cases --techniques tsm,exact -o cases.png", "against exact answers"},
         {"list", "timeshade list --json", "all scenes, techniques and settings, for a program"},
     };

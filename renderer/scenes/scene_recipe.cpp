@@ -1,5 +1,6 @@
 #include "scenes/scene_recipe.h"
 
+#include "scenes/ball.h"
 #include "scenes/crossing.h"
 #include "scenes/cube.h"
 #include "scenes/cubes.h"
@@ -23,6 +24,7 @@ std::vector<std::unique_ptr<SceneRecipe>> allRecipes() {
     recipes.push_back(std::make_unique<Depths>());
     recipes.push_back(std::make_unique<Cube>());
     recipes.push_back(std::make_unique<Foliage>());
+    recipes.push_back(std::make_unique<Ball>());
     return recipes;
 }
 

@@ -6,7 +6,7 @@ import unittest
 
 from program import PROGRAM, QUICK, SCENES, TECHNIQUES, Picture, ProgramTest, environment
 
-COMMANDS = ("view", "shot", "record", "pictures", "verify", "measure", "epipolar", "cases", "list")
+COMMANDS = ("view", "shot", "record", "pictures", "verify", "measure", "epipolar", "reproduce", "cases", "list")
 
 
 class Help(ProgramTest):

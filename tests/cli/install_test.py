@@ -44,7 +44,8 @@ class Installed(ProgramTest):
     def test_what_a_distribution_expects(self):
         for path in ("share/man/man1/timeshade.1", "share/applications/timeshade.desktop",
                      "share/bash-completion/completions/timeshade", "share/zsh/site-functions/_timeshade",
-                     "share/fish/vendor_completions.d/timeshade.fish", "share/doc/timeshade/README.md"):
+                     "share/fish/vendor_completions.d/timeshade.fish", "share/doc/timeshade/README.md",
+                     "share/timeshade/assets/papers/palmer.json", "share/timeshade/assets/papers/page.js"):
             self.assertTrue((self.first / path).is_file(), path)
         self.assertTrue(os.access(self.first / "bin/timeshade", os.X_OK))
         script = (f"source '{self.first}/share/bash-completion/completions/timeshade'; PATH='{self.first}/bin':$PATH; "

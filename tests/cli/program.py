@@ -15,7 +15,7 @@ PROGRAM = os.environ.get("TIMESHADE", "")
 # Of what is tested many times over, all: as .ci/run has it.
 THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
 SCENES = ("chess", "octopus", "pillars")  # those that are files
-COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube", "foliage")
+COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube", "foliage", "ball")
 
 
 def listed_techniques():

@@ -36,6 +36,7 @@ ORDINARY = {
 ABOUT = {
     # properties of these techniques
     "tests/cli/gpu_check_test.py": ("exact", "tsm"),
+    "tests/cli/reproduce_test.py": ("exact", "tsm"),
     "tests/cli/times_test.py": ("exact", "static"),
     "tests/golden/golden_test.py": ("accumulation", "exact", "history", "ranges", "static", "temporal", "tsm"),
     "tests/parity/range_lists_test.cpp": ("ranges",),

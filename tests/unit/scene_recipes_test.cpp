@@ -53,7 +53,7 @@ std::size_t openEdges(const MotionMesh& mesh, std::uint32_t instance) {
 }
 
 TEST(SceneRecipes, EveryDeclarationIsWhole) {
-    ASSERT_EQ(recipeDescriptions().size(), 8u);
+    ASSERT_EQ(recipeDescriptions().size(), 9u);
     EXPECT_EQ(makeRecipe("nonsense"), nullptr);
     for (const RecipeDescription& description : recipeDescriptions()) {
         const std::unique_ptr<SceneRecipe> recipe = makeRecipe(description.name);

@@ -17,7 +17,7 @@ README = (pathlib.Path(sys.argv[2]) / "README.md").read_text()
 # Other processors round otherwise: a few samples on edges, and a share of many.
 SAMPLES, SHARE = 5.0, 0.01
 # Fewer than the README's 1,024: the debiased error is the same but for the standard error that comes with it.
-RAYS = {"chess": 128, "octopus": 128, "pillars": 128, "cubes": 128}
+RAYS = {"chess": 128, "octopus": 128, "pillars": 128, "cubes": 128, "ball": 128}
 CACHE = tempfile.TemporaryDirectory()
 # As a rule every fourth row is drawn anew; all with TIMESHADE_TESTS=thorough, as .ci/run has it.
 THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
