@@ -103,13 +103,14 @@ PaperValue valueOf(const std::string& name, const Json& json) {
 }
 
 PaperRule ruleOf(const Json& json) {
-    requireKnownKeys(json, "rule", {"test", "of", "by", "expected", "within", "hardware", "why", "all"});
+    requireKnownKeys(json, "rule", {"test", "of", "by", "expected", "within", "clear", "hardware", "why", "all"});
     PaperRule rule;
     rule.kind = json.at("test").get<std::string>();
     if (json.contains("of")) rule.of = json["of"].get<std::vector<std::string>>();
     rule.by = numberAt(json, "by", 1.0);
     rule.expected = numberAt(json, "expected", 0.0);
     rule.within = numberAt(json, "within", 0.0);
+    rule.clear = numberAt(json, "clear", 0.0);
     rule.hardware = textAt(json, "hardware");
     rule.why = textAt(json, "why");
     if (json.contains("all"))

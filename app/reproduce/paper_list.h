@@ -59,6 +59,7 @@ struct PaperRule {
     std::string kind;
     std::vector<std::string> of;  ///< names of values
     double by = 1.0, expected = 0.0, within = 0.0;
+    double clear = 0.0;          ///< share by which two values must differ to be told apart
     std::string hardware;        ///< part of the name of the device that the rule is of, or "a GPU"
     std::string why;             ///< of the kind "none": what there is nothing to compare with
     std::vector<PaperRule> all;  ///< of the kind "all"

@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <timeshade/commit.h>  // generated
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/file_bytes.h"
 #include "core/one_line.h"
 #include "core/sha256.h"
+#include "gl/shader_source.h"
 #include "image/image_file.h"
 #include "record/stop_signals.h"
 #include "reproduce/step_process.h"
@@ -37,7 +39,7 @@ std::vector<StepFile> filesIn(const fs::path& folder) {
 }
 
 void writeRecord(const fs::path& folder, const StepRecord& record) {
-    Json json{{"step", record.name},          {"command", record.command}, {"commit", record.commit},
+    Json json{{"step", record.name},          {"command", record.command}, {"program", record.program},
               {"exit_code", record.exitCode}, {"seconds", record.seconds}, {"complaint", record.complaint},
               {"files", Json::array()}};
     for (const StepFile& file : record.files)
@@ -53,7 +55,7 @@ StepRecord readRecord(const fs::path& folder) {
         const Json json = Json::parse(bytes.begin(), bytes.end());
         record = {json.at("step"),
                   json.at("command"),
-                  json.at("commit"),
+                  json.at("program"),
                   json.at("exit_code"),
                   json.at("seconds"),
                   json.at("complaint"),
@@ -75,20 +77,33 @@ std::string lastLineOf(const fs::path& path) {
 
 }  // namespace
 
+std::string thisProgram() {
+    std::vector<unsigned char> all = readFileBytes("/proc/self/exe");
+    std::vector<fs::path> shaders;
+    for (const auto& entry : fs::recursive_directory_iterator(gl::shaderDirectory()))
+        if (entry.is_regular_file()) shaders.push_back(entry.path());
+    std::sort(shaders.begin(), shaders.end());
+    for (const fs::path& shader : shaders) {
+        const std::vector<unsigned char> text = readFileBytes(shader);
+        all.insert(all.end(), text.begin(), text.end());
+    }
+    return fmt::format("{} {}", TIMESHADE_COMMIT, toHex(sha256(all)).substr(0, 16));
+}
+
 std::string commandLineOf(const PaperStep& step) { return fmt::format("timeshade {}", fmt::join(step.arguments, " ")); }
 
-StepRecord finishedStep(const PaperStep& step, const fs::path& folder, const std::string& commit) {
+StepRecord finishedStep(const PaperStep& step, const fs::path& folder, const std::string& program) {
     const StepRecord record = readRecord(folder);
-    const bool same = record.succeeded() && record.command == commandLineOf(step) && record.commit == commit;
+    const bool same = record.succeeded() && record.command == commandLineOf(step) && record.program == program;
     if (!same || filesIn(folder) != record.files) return {};
     return record;
 }
 
-StepRecord runStep(const PaperStep& step, const fs::path& folder, const std::string& commit) {
-    StepRecord record{step.name, commandLineOf(step), commit, -1, 0.0, "", {}};
+StepRecord runStep(const PaperStep& step, const fs::path& folder, const std::string& program) {
+    StepRecord record{step.name, commandLineOf(step), program, -1, 0.0, "", {}};
     const StepRecord before = readRecord(folder);
     const bool interrupted =
-        before.exitCode == -1 && before.command == record.command && before.commit == record.commit;
+        before.exitCode == -1 && before.command == record.command && before.program == record.program;
     if (!interrupted) fs::remove_all(folder);
     fs::create_directories(folder);
     writeRecord(folder, record);

@@ -17,9 +17,9 @@ struct StepFile {
     bool operator==(const StepFile&) const = default;
 };
 
-/// What became of a step. Stands in its folder as step.json, with the command and the program's commit.
+/// What became of a step. Stands in its folder as step.json, with the command and what the program was.
 struct StepRecord {
-    std::string name, command, commit;
+    std::string name, command, program;
     int exitCode = -1;
     double seconds = 0.0;
     std::string complaint;  ///< the last line that it said to standard error, where it has failed
@@ -31,12 +31,16 @@ struct StepRecord {
 /// "timeshade shot rising -o F.png".
 std::string commandLineOf(const PaperStep& step);
 
-/// The record of a step that has succeeded in this folder with just this command and commit and whose files are all as
+/// The commit that this program was built from, and a digest of its binary and of the shaders that it reads: of two
+/// that are alike a step's output is alike.
+std::string thisProgram();
+
+/// The record of a step that has succeeded in this folder with just this command and program and whose files are all as
 /// they were; else one whose exit code is -1.
-StepRecord finishedStep(const PaperStep& step, const std::filesystem::path& folder, const std::string& commit);
+StepRecord finishedStep(const PaperStep& step, const std::filesystem::path& folder, const std::string& program);
 
 /// Runs the step in its folder, which is emptied first unless the same command was interrupted there. Throws Error
 /// where it cannot be started; a step that fails is in its record. After a stop signal its exit code is -1.
-StepRecord runStep(const PaperStep& step, const std::filesystem::path& folder, const std::string& commit);
+StepRecord runStep(const PaperStep& step, const std::filesystem::path& folder, const std::string& program);
 
 }  // namespace timeshade

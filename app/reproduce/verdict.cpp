@@ -115,6 +115,11 @@ bool isOf(const std::string& hardware, const UsedDevice& device) {
     return device.name.find(hardware) != std::string::npos;
 }
 
+bool isUnclear(const PaperRule& rule, const Measured& of) {
+    const double a = numberOf(of, 0), b = numberOf(of, 1);
+    return std::abs(a - b) < rule.clear * std::max(std::abs(a), std::abs(b));
+}
+
 VerdictOf ofAll(const PaperRule& rule, const MeasuredValues& values, const UsedDevice& device) {
     VerdictOf whole{Verdict::Confirmed, ""};
     for (const PaperRule& each : rule.all) {
@@ -144,6 +149,9 @@ VerdictOf verdictOf(const PaperRule& rule, const MeasuredValues& values, const U
     }
     const Kind* kind = kindOf(rule.kind);
     if (!kind) return {Verdict::NotComparable, rule.why.empty() ? "there is no number to compare with" : rule.why};
+    if (of.size() > 1 && isUnclear(rule, of))
+        return {Verdict::NotComparable,
+                fmt::format("{} and {} differ by less than {:g} %", named(*of[0]), named(*of[1]), 100.0 * rule.clear)};
     const Outcome outcome = kind->outcome(rule, of);
     return {outcome.holds ? Verdict::Confirmed : Verdict::Refuted,
             (outcome.holds ? "holds: " : "does not hold: ") + outcome.statement};

@@ -42,7 +42,8 @@ struct VerdictOf {
 /// - all: all of its rules hold.
 /// - none: there is nothing to compare, `why` says for what reason, `hardware` what it would take.
 ///
-/// Not comparable where a value is missing, or where a rule is of some hardware and the device is another: its name
+/// Not comparable where the first two values differ by less than the share `clear` of the greater, where a value is
+/// missing, or where a rule is of some hardware and the device is another: its name
 /// does not hold that of the rule, or it is a software renderer and the rule is of "a GPU".
 VerdictOf verdictOf(const PaperRule& rule, const MeasuredValues& values, const UsedDevice& device);
 

@@ -44,6 +44,16 @@ TEST(Verdict, OfAnOrderTurnsWithTheNumbers) {
     EXPECT_EQ(verdict(rule("greater", {"a", "b"}), values({{"a", 1.0}, {"b", 2.0}})), no);
 }
 
+TEST(Verdict, IsNotGivenOnADifferenceThatIsNotClear) {
+    PaperRule greater = rule("greater", {"a", "b"});
+    greater.clear = 0.02;
+    EXPECT_EQ(verdict(greater, values({{"a", 1.01}, {"b", 1.0}})), open);
+    EXPECT_EQ(verdict(greater, values({{"a", 1.0}, {"b", 1.01}})), open);
+    EXPECT_EQ(verdict(greater, values({{"a", 0.0}, {"b", 0.0}})), no) << "nothing is no difference";
+    EXPECT_EQ(verdict(greater, values({{"a", 1.03}, {"b", 1.0}})), yes);
+    EXPECT_EQ(verdict(greater, values({{"a", 1.0}, {"b", 1.03}})), no);
+}
+
 TEST(Verdict, OfALimitTurnsAtIt) {
     EXPECT_EQ(verdict(rule("at_most", {"a"}, 3.0), values({{"a", 3.0}})), yes);
     EXPECT_EQ(verdict(rule("at_most", {"a"}, 3.0), values({{"a", 3.01}})), no);
