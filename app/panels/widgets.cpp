@@ -13,7 +13,19 @@ namespace timeshade {
 
 namespace {
 
-constexpr float labelWidth = 122.0f, marksWidth = 42.0f;
+constexpr float labelWidth = 122.0f, marksWidth = 42.0f, leastControl = 64.0f;
+
+/// The first entry of each row of buttons of these widths, and the end, where a row is as wide as `width`.
+std::vector<std::size_t> rowsOf(const std::vector<float>& widths, float gap, float width) {
+    std::vector<std::size_t> begins{0};
+    float used = 0.0f;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        if (i > begins.back() && used + gap + widths[i] > width) begins.push_back(i);
+        used = i == begins.back() ? widths[i] : used + gap + widths[i];
+    }
+    begins.push_back(widths.size());
+    return begins;
+}
 
 void tooltip(const std::string& text) {
     ImGui::BeginTooltip();
@@ -98,13 +110,15 @@ bool Widgets::section(const std::string& id, const char* title, bool open) {
 void Widgets::beginRow(const std::string& label, const std::string& helpText) {
     const float start = ImGui::GetCursorPosX();
     const float inner = ImGui::GetContentRegionAvail().x;
+    // Where the panel is narrow, the label stands above.
+    const bool beside = !label.empty() && inner >= (labelWidth + leastControl + marksWidth) * scale_;
     if (!label.empty()) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(label.c_str());
         if (!helpText.empty() && ImGui::IsItemHovered()) tooltip(helpText);
-        ImGui::SameLine(start + labelWidth * scale_);
+        if (beside) ImGui::SameLine(start + labelWidth * scale_);
     }
-    const float used = label.empty() ? 0.0f : labelWidth * scale_;
+    const float used = beside ? labelWidth * scale_ : 0.0f;
     ImGui::SetNextItemWidth(std::max(20.0f * scale_, inner - used - marksWidth * scale_));
 }
 
@@ -188,22 +202,25 @@ std::optional<std::size_t> Widgets::combo(const std::string& id, const std::stri
 std::optional<std::size_t> Widgets::choice(const std::string& id, const std::vector<std::string>& entries,
                                            std::size_t current, const std::vector<std::string>& ids) {
     std::optional<std::size_t> chosen;
-    const float gap = 2.0f * scale_;
-    const float count = static_cast<float>(entries.size());
-    // Longer words get wider buttons: what is left of the row is shared evenly.
-    const auto wanted = [](const std::string& text) {
-        return ImGui::CalcTextSize(text.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-    };
-    float left = ImGui::GetContentRegionAvail().x - gap * (count - 1.0f);
-    for (const std::string& entry : entries) left -= wanted(entry);
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (i > 0) ImGui::SameLine(0.0f, gap);
-        const bool down = i == current;
-        if (down) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.23f, 0.38f, 0.53f, 1.0f));
-        if (ImGui::Button((entries[i] + "##" + id).c_str(), {std::max(wanted(entries[i]) + left / count, 1.0f), 0.0f}))
-            chosen = i;
-        if (down) ImGui::PopStyleColor();
-        dump_.lastItem(id + "/" + (ids.empty() ? entries : ids)[i], down);
+    const float gap = 2.0f * scale_, whole = ImGui::GetContentRegionAvail().x;
+    std::vector<float> widths;
+    for (const std::string& text : entries)
+        widths.push_back(ImGui::CalcTextSize(text.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x);
+    const std::vector<std::size_t> begins = rowsOf(widths, gap, whole);
+    for (std::size_t row = 0; row + 1 < begins.size(); ++row) {
+        // Longer words get wider buttons: what is left of the row is shared evenly.
+        const auto count = static_cast<float>(begins[row + 1] - begins[row]);
+        float left = whole - gap * (count - 1.0f);
+        for (std::size_t i = begins[row]; i < begins[row + 1]; ++i) left -= widths[i];
+        for (std::size_t i = begins[row]; i < begins[row + 1]; ++i) {
+            if (i > begins[row]) ImGui::SameLine(0.0f, gap);
+            const bool down = i == current;
+            if (down) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.23f, 0.38f, 0.53f, 1.0f));
+            if (ImGui::Button((entries[i] + "##" + id).c_str(), {std::max(widths[i] + left / count, 1.0f), 0.0f}))
+                chosen = i;
+            if (down) ImGui::PopStyleColor();
+            dump_.lastItem(id + "/" + (ids.empty() ? entries : ids)[i], down);
+        }
     }
     return chosen;
 }
