@@ -220,6 +220,7 @@ void Interactive::takeInput() {
     }
     const std::vector<KeyPress> keys = ui_.events().takeKeys();
     keysHandled_ += keys.size();
+    mouse_.press(keys);
     if (applyKeys(session_, keys)) glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 

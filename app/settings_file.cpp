@@ -151,8 +151,7 @@ std::vector<FileSetting> settingsOfJson(const std::string& text, const std::stri
 
 std::string textOfFile(const std::string& path, const std::string& option) {
     try {
-        const std::vector<unsigned char> bytes = readFileBytes(path, largestSettingsFile);
-        return {bytes.begin(), bytes.end()};
+        return readFileText(path, largestSettingsFile);
     } catch (const Error& error) {
         throw Error(fmt::format("{} '{}': {}; expected a JSON file of settings", option, path, error.what()));
     }

@@ -1,10 +1,9 @@
 #include "compare/compared_side.h"
 
-#include <charconv>
-
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "options/number_list.h"
 #include "plan/frame_request.h"
 
 namespace timeshade {
@@ -12,13 +11,11 @@ namespace timeshade {
 namespace {
 
 int samplesOf(const std::string& text, const std::string& value) {
-    int samples = 0;
-    const char* end = value.data() + value.size();
-    const auto [rest, failure] = std::from_chars(value.data(), end, samples);
-    if (failure != std::errc{} || rest != end || samples < 1 || samples > maximumSamplesPerPixel)
+    const auto samples = numbersIn<int>(value, 1);
+    if (!samples || samples->front() < 1 || samples->front() > maximumSamplesPerPixel)
         throw UsageError(fmt::format("--compare {}: spp={} given, expected a whole number from 1 to {}", text, value,
                                      maximumSamplesPerPixel));
-    return samples;
+    return samples->front();
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ DisplayImage truthShown(const LinearImage& truth, View view, const DisplayLook& 
 }
 
 std::optional<LinearImage> drawTruth(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,
-                                     View view, const std::function<bool(int done, int all)>& goOn) {
+                                     View view, const std::function<bool(int done, int all)>& progress) {
     const ReferenceCache cache;
     ReferenceBuilder builder(truthPlan(planner, request), truthOptions(view), cache);
     do {
-        if (!goOn(builder.batchesDone(), builder.batches())) return std::nullopt;
+        if (!progress(builder.batchesDone(), builder.batches())) return std::nullopt;
     } while (!builder.step(renderer));
     return builder.image();
 }

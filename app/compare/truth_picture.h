@@ -16,8 +16,9 @@ ReferenceOptions truthOptions(View view);
 /// As it is shown: visibility is a share of light, without exposure and tone map.
 DisplayImage truthShown(const LinearImage& truth, View view, const DisplayLook& look);
 
-/// The ground truth of a request. `goOn` is asked before every batch of samples; nothing where it says no.
+/// The ground truth of a request. `progress` is called before every batch of samples; where it returns false, the work
+/// is cancelled and nothing is returned.
 std::optional<LinearImage> drawTruth(FrameRenderer& renderer, FramePlanner& planner, const FrameRequest& request,
-                                     View view, const std::function<bool(int done, int all)>& goOn);
+                                     View view, const std::function<bool(int done, int all)>& progress);
 
 }  // namespace timeshade

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "panels/theme.h"
 
@@ -67,29 +68,18 @@ std::string inWords(const std::array<int, 3>& levels) {
     return fmt::format("{} {} {}", levels[0], levels[1], levels[2]);
 }
 
-/// The pixel under the mouse; empty beside the picture.
-std::string pixelInWords(const Session& session, const PictureDifference& difference, const Area& area) {
+/// The pixel under the mouse: "A 1 2 3", "B 4 5 6" and how far they are apart; nothing beside the picture.
+std::vector<std::string> pixelInWords(const Session& session, const PictureDifference& difference, const Area& area) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (ImGui::GetIO().WantCaptureMouse || !ImGui::IsMousePosValid(&mouse)) return "";
+    if (ImGui::GetIO().WantCaptureMouse || !ImGui::IsMousePosValid(&mouse)) return {};
     const FrameRequest& request = session.moment.request;
     const auto pixel = [](float at, float from, float size, int pixels) {
         return static_cast<int>(std::floor((at - from) / std::max(size, 1.0f) * static_cast<float>(pixels)));
     };
     const auto found = difference.at(pixel(mouse.x, area.position.x, area.size.x, request.width),
                                      pixel(mouse.y, area.position.y, area.size.y, request.height));
-    if (!found) return "";
-    return fmt::format("A {}   B {}   apart {}", inWords(found->first), inWords(found->second), inWords(found->apart));
-}
-
-/// "A 1 2 3   B 4 5 6" as "A 1 2 3" and "B 4 5 6".
-std::vector<std::string> parts(const std::string& text) {
-    std::vector<std::string> all;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find("   ", at), text.size());
-        all.push_back(text.substr(at, end - at));
-        at = end + 3;
-    }
-    return all;
+    if (!found) return {};
+    return {"A " + inWords(found->first), "B " + inWords(found->second), "apart " + inWords(found->apart)};
 }
 
 /// Which difference is how bright, and the pixel under the mouse, in levels of 255.
@@ -99,14 +89,15 @@ void drawLegend(const Session& session, Widgets& widgets, const Area& area) {
     const bool narrow = area.size.x < 360.0f * unit;
     const float bar = (narrow ? 50.0f : 120.0f) * unit;
     const std::string most = fmt::format("{:.3g} of 255 levels apart", 255.0 / difference.gain());
-    const std::string pixel = pixelInWords(session, difference, area);
+    const std::vector<std::string> pixel = pixelInWords(session, difference, area);
+    const std::string inOneRow = fmt::format("{}", fmt::join(pixel, "   "));
     widgets.dump().state("compare.legend", most);
-    widgets.dump().state("compare.pixel", pixel);
+    widgets.dump().state("compare.pixel", inOneRow);
     std::vector<std::string> rows{narrow ? most.substr(0, most.find(" of")) : most};
-    if (!pixel.empty() && narrow)
-        for (const std::string& part : parts(pixel)) rows.push_back(part);
+    if (narrow)
+        rows.insert(rows.end(), pixel.begin(), pixel.end());
     else if (!pixel.empty())
-        rows.push_back(pixel);
+        rows.push_back(inOneRow);
     const float indent = line + bar + pad;  // of the first row's text
     float width = indent + ImGui::CalcTextSize(rows.front().c_str()).x;
     for (std::size_t i = 1; i < rows.size(); ++i) width = std::max(width, ImGui::CalcTextSize(rows[i].c_str()).x);

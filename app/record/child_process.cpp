@@ -16,6 +16,7 @@
 
 #include "core/error.h"
 #include "core/one_line.h"
+#include "record/spawn_attributes.h"
 #include "record/stop_signals.h"
 
 extern char** environ;
@@ -30,28 +31,6 @@ constexpr int signalsThatGiveUp = 2;  // the first one lets the file be finished
     const std::string expected = code == ENOENT ? fmt::format("; expected the program {} on PATH", program) : "";
     throw Error(fmt::format("cannot start {}: {}{}", program, std::generic_category().message(code), expected));
 }
-
-/// Gives the child the signals that this process ignores or catches as they were meant.
-class SpawnAttributes {
-  public:
-    SpawnAttributes() {
-        posix_spawnattr_init(&attributes_);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-        posix_spawnattr_setpgroup(&attributes_, 0);
-        sigset_t signals;
-        sigfillset(&signals);
-        posix_spawnattr_setsigdefault(&attributes_, &signals);
-        sigemptyset(&signals);
-        posix_spawnattr_setsigmask(&attributes_, &signals);
-    }
-    ~SpawnAttributes() { posix_spawnattr_destroy(&attributes_); }
-    SpawnAttributes(const SpawnAttributes&) = delete;
-    SpawnAttributes& operator=(const SpawnAttributes&) = delete;
-    const posix_spawnattr_t* get() const { return &attributes_; }
-
-  private:
-    posix_spawnattr_t attributes_;
-};
 
 /// Which of our descriptors become the child's. All others are closed, those that libraries have opened included.
 class SpawnActions {
@@ -87,7 +66,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, int handed) 
     output_ = ::memfd_create("child's standard output", MFD_CLOEXEC);
     log_ = ::memfd_create("child's standard error", MFD_CLOEXEC);
     const SpawnActions actions(ends[1], output_, log_, handed);
-    const SpawnAttributes attributes;
+    const SpawnAttributes attributes(SpawnAttributes::Group::Own);
     const int failure = log_ < 0 || output_ < 0 ? errno
                                                 : ::posix_spawnp(&id_, arguments.front(), actions.get(),
                                                                  attributes.get(), arguments.data(), environ);
@@ -157,11 +136,10 @@ std::string ChildProcess::lastWords() {
     const off_t size = ::lseek(log_, 0, SEEK_END);
     const ssize_t length = ::pread(log_, text.data(), text.size(), size > 4096 ? size - 4096 : 0);
     text.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == ' ')) text.pop_back();
-    text.erase(0, text.find_last_of("\r\n") + 1);
+    const std::string last = lastLine(text, 200);
     const std::string how = WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_))
                                                  : fmt::format("exit code {}", WEXITSTATUS(status_));
-    return text.empty() ? how : how + ": " + oneLine(text, 200);
+    return last.empty() ? how : how + ": " + last;
 }
 
 }  // namespace timeshade

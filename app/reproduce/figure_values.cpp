@@ -1,7 +1,6 @@
 #include "reproduce/figure_values.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "core/error.h"
 #include "core/file_bytes.h"
 #include "core/json_limits.h"
+#include "options/number_list.h"
 
 namespace timeshade {
 
@@ -19,13 +19,8 @@ using Json = nlohmann::json;
 
 constexpr std::size_t largestOutput = std::size_t{64} << 20;
 
-std::string textOf(const std::filesystem::path& path) {
-    const std::vector<unsigned char> bytes = readFileBytes(path, largestOutput);
-    return {bytes.begin(), bytes.end()};
-}
-
 Json readJson(const std::filesystem::path& path) {
-    const std::string text = textOf(path);
+    const std::string text = readFileText(path, largestOutput);
     const Json json = isNestedTooDeeply(text) ? Json() : Json::parse(text, nullptr, false);
     if (!json.is_structured()) throw Error(path.filename().string() + " is not valid JSON");
     return json;
@@ -55,7 +50,7 @@ const Json& memberOf(const Json& json, const std::string& token) {
             if (each.is_object() && each.contains(key) && each[key] == wanted) return each;
         throw Error("nothing has " + token);
     }
-    if (json.is_array()) return json.at(static_cast<std::size_t>(csvNumber(token)));
+    if (json.is_array()) return json.at(static_cast<std::size_t>(numberIn(token)));
     if (!json.is_object() || !json.contains(token)) throw Error("there is no " + token);
     return json[token];
 }
@@ -77,7 +72,7 @@ double csvValue(const PaperValue& value, const std::filesystem::path& path) {
     if (rows.size() != 1) throw Error(fmt::format("{} rows fit, expected one", rows.size()));
     const auto cell = rows.front().find(value.column);
     if (cell == rows.front().end()) throw Error("there is no column " + value.column);
-    return csvNumber(cell->second);
+    return numberIn(cell->second);
 }
 
 double numberOf(const MeasuredValues& values, const std::string& name) {
@@ -98,16 +93,14 @@ double rawValue(const PaperValue& value, const MeasuredValues& earlier, const st
 
 }  // namespace
 
-double csvNumber(const std::string& text) {
-    double number = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, failure] = std::from_chars(text.data(), end, number);
-    if (failure != std::errc{} || rest != end) throw Error(fmt::format("'{}' found, expected a number", text));
-    return number;
+double numberIn(const std::string& text) {
+    const auto number = numbersIn<double>(text, 1);
+    if (!number) throw Error(fmt::format("'{}' found, expected a number", text));
+    return number->front();
 }
 
 std::vector<CsvRow> readCsv(const std::filesystem::path& path) {
-    const std::string text = textOf(path);
+    const std::string text = readFileText(path, largestOutput);
     std::vector<CsvRow> rows;
     std::vector<std::string> header;
     for (std::size_t begin = 0; begin < text.size();) {

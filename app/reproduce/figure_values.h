@@ -20,7 +20,7 @@ std::vector<CsvRow> readCsv(const std::filesystem::path& path);
 std::vector<CsvRow> rowsWhere(const std::vector<CsvRow>& rows, const std::map<std::string, std::string>& where);
 
 /// The text as a number, none of which is left over. Throws Error.
-double csvNumber(const std::string& text);
+double numberIn(const std::string& text);
 
 /// Reads a figure's values from what its steps have written into `folder`. What cannot be read is missing and says why;
 /// nothing is thrown.

@@ -12,10 +12,7 @@ namespace {
 
 constexpr std::size_t mostEmbedded = std::size_t{11} << 20;  // of files; in base 64 a third more
 
-std::string partOfPage(const char* name) {
-    const std::vector<unsigned char> bytes = readFileBytes(dataFolder() / "assets" / "papers" / name);
-    return {bytes.begin(), bytes.end()};
-}
+std::string partOfPage(const char* name) { return readFileText(dataFolder() / "assets" / "papers" / name); }
 
 /// Writes the figures one after another, and counts what it embeds.
 class PageWriter {

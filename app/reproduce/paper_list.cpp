@@ -1,7 +1,6 @@
 #include "reproduce/paper_list.h"
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 #include "core/file_bytes.h"
 #include "core/json_limits.h"
 #include "core/nearest_word.h"
+#include "reproduce/figure_values.h"
 #include "reproduce/paper_list_check.h"
 #include "reproduce/paper_text.h"
 
@@ -42,7 +42,7 @@ std::vector<std::string> wordsOf(const std::string& line) {
 /// A number, or a text that is one once a form's words are filled in.
 double numberAt(const Json& json, const char* key, double otherwise) {
     if (!json.contains(key)) return otherwise;
-    return json[key].is_string() ? std::stod(json[key].get<std::string>()) : json[key].get<double>();
+    return json[key].is_string() ? numberIn(json[key].get<std::string>()) : json[key].get<double>();
 }
 
 PaperStep stepOf(const std::string& name, const Json& json) {
@@ -230,8 +230,7 @@ PaperList readPaperList(const std::string& name, bool quick) {
         throw UsageError(fmt::format("reproduce {}: no such paper{}; expected {} or all", name, didYouMean(name, names),
                                      fmt::join(names, ", ")));
     const std::filesystem::path path = papersFolder() / (name + ".json");
-    const std::vector<unsigned char> bytes = readFileBytes(path, largestSettingsFile);
-    return paperListOf({bytes.begin(), bytes.end()}, path.string(), quick);
+    return paperListOf(readFileText(path, largestSettingsFile), path.string(), quick);
 }
 
 }  // namespace timeshade

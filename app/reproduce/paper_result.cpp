@@ -34,7 +34,7 @@ Chart chartOf(const PaperChart& wanted, const std::filesystem::path& folder) {
         auto series = std::find_if(chart.series.begin(), chart.series.end(),
                                    [&](const ChartSeries& each) { return each.name == shown; });
         if (series == chart.series.end()) series = chart.series.insert(series, {shown, {}});
-        series->points.push_back({csvNumber(cell(wanted.x)), wanted.scale * csvNumber(cell(wanted.y)), ""});
+        series->points.push_back({numberIn(cell(wanted.x)), wanted.scale * numberIn(cell(wanted.y)), ""});
     }
     if (chart.series.empty()) throw Error("no row fits");
     return chart;

@@ -51,15 +51,14 @@ std::string lineFor(const StepRecord& record, bool fresh) {
 
 /// Records of the figure's steps; fewer after a stop signal.
 std::vector<StepRecord> runSteps(const PaperRequest& request, const PaperFigure& figure, TimeLeft& time) {
-    static const std::string program = thisProgram();
     std::vector<StepRecord> records;
     for (const PaperStep& step : figure.steps) {
         const std::filesystem::path folder = request.folder / folderOf(figure) / step.name;
-        StepRecord record = finishedStep(step, folder, program);
+        StepRecord record = finishedStep(step, folder, request.program);
         const bool fresh = !record.succeeded();
         if (fresh) {
             time.show(request.list, figure, step);
-            record = runStep(step, folder, program);
+            record = runStep(step, folder, request.program);
             if (StopSignals::count() > 0) return records;
         }
         time.count(step, record.seconds, fresh);

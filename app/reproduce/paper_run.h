@@ -13,7 +13,7 @@ struct PaperRequest {
     PaperList list;
     std::vector<PaperFigure> figures;  ///< those of the list that are wanted
     std::filesystem::path folder;
-    std::string commit, command;
+    std::string commit, program, command;  ///< `program`: as runStep() has it
     bool quick = false;
 };
 

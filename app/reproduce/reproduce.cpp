@@ -10,8 +10,8 @@
 #include "core/error.h"
 #include "core/file_bytes.h"
 #include "core/folder_lock.h"
-#include "core/nearest_word.h"
 #include "image/image_file.h"
+#include "measure/made_with.h"
 #include "output_path.h"
 #include "record/stop_signals.h"
 #include "reproduce/html_page.h"
@@ -56,12 +56,16 @@ std::vector<PaperRequest> requestsOf(const ReproduceOptions& options) {
     if (several && !options.figures.empty())
         throw UsageError(
             fmt::format("reproduce {} {}: expected no figures, or one paper", options.paper, options.figures.front()));
+    std::vector<std::string> madeWith;
+    for (const auto& [part, value] : madeWithBinary(TIMESHADE_COMMIT)) madeWith.push_back(value);
+    const std::string program = fmt::format("{}", fmt::join(madeWith, " "));
     std::vector<PaperRequest> requests;
     for (const std::string& name : names) {
         PaperRequest request{readPaperList(name, options.quick),
                              {},
                              options.output,
                              TIMESHADE_COMMIT,
+                             program,
                              options.commandLine,
                              options.quick};
         request.figures = chosen(request.list, options.figures);
@@ -94,8 +98,7 @@ void writeClaims(const std::vector<PaperResult>& results, const ReproduceOptions
     const std::vector<ClaimPicture> pictures = refutedPictures(results);
     if (!pictures.empty()) madeFolder(folder);
     for (const ClaimPicture& picture : pictures) {
-        const std::vector<unsigned char> bytes = readFileBytes(picture.from);
-        writeFileAtomically(folder / picture.name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        writeFileAtomically(folder / picture.name, readFileText(picture.from));
     }
     writeFileAtomically(options.claims, claimsDocument(results, options));
     fmt::print("{}\n", fullPath(options.claims));

@@ -1,6 +1,5 @@
 #include "reproduce/step_process.h"
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -12,6 +11,7 @@
 #include <sys/wait.h>
 
 #include "core/error.h"
+#include "record/spawn_attributes.h"
 #include "record/stop_signals.h"
 
 extern char** environ;
@@ -43,25 +43,6 @@ class StepFiles {
     posix_spawn_file_actions_t actions_;
 };
 
-/// Signals that this process counts or ignores are to the child what they usually are.
-class StepSignals {
-  public:
-    StepSignals() {
-        sigset_t signals;
-        sigfillset(&signals);
-        posix_spawnattr_init(&attributes_);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
-        posix_spawnattr_setsigdefault(&attributes_, &signals);
-    }
-    ~StepSignals() { posix_spawnattr_destroy(&attributes_); }
-    StepSignals(const StepSignals&) = delete;
-    StepSignals& operator=(const StepSignals&) = delete;
-    const posix_spawnattr_t* get() const { return &attributes_; }
-
-  private:
-    posix_spawnattr_t attributes_;
-};
-
 /// A step works in another folder than this program: where data lies must not depend on it.
 void makeDataPathsAbsolute() {
     for (const char* name : {"TIMESHADE_DATA", "TIMESHADE_SHADERS", "TIMESHADE_SCENES"})
@@ -88,7 +69,7 @@ int runThisProgram(const std::vector<std::string>& arguments, const std::filesys
     pointers.push_back(nullptr);
     makeDataPathsAbsolute();
     const StepFiles files(folder);
-    const StepSignals signals;
+    const SpawnAttributes signals(SpawnAttributes::Group::OfParent);
     pid_t child = -1;
     const int failure = ::posix_spawn(&child, "/proc/self/exe", files.get(), signals.get(), pointers.data(), environ);
     if (failure != 0)

@@ -6,14 +6,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <timeshade/commit.h>  // generated
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/file_bytes.h"
 #include "core/one_line.h"
 #include "core/sha256.h"
-#include "gl/shader_source.h"
 #include "image/image_file.h"
 #include "record/stop_signals.h"
 #include "reproduce/step_process.h"
@@ -51,8 +49,7 @@ void writeRecord(const fs::path& folder, const StepRecord& record) {
 StepRecord readRecord(const fs::path& folder) {
     StepRecord record;
     try {
-        const std::vector<unsigned char> bytes = readFileBytes(folder / recordName);
-        const Json json = Json::parse(bytes.begin(), bytes.end());
+        const Json json = Json::parse(readFileText(folder / recordName));
         record = {json.at("step"),
                   json.at("command"),
                   json.at("program"),
@@ -68,27 +65,7 @@ StepRecord readRecord(const fs::path& folder) {
     return record;
 }
 
-std::string lastLineOf(const fs::path& path) {
-    const std::vector<unsigned char> bytes = readFileBytes(path);
-    std::string text(bytes.begin(), bytes.end());
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-    return oneLine(text.substr(text.find_last_of("\r\n") + 1), 300);
-}
-
 }  // namespace
-
-std::string thisProgram() {
-    std::vector<unsigned char> all = readFileBytes("/proc/self/exe");
-    std::vector<fs::path> shaders;
-    for (const auto& entry : fs::recursive_directory_iterator(gl::shaderDirectory()))
-        if (entry.is_regular_file()) shaders.push_back(entry.path());
-    std::sort(shaders.begin(), shaders.end());
-    for (const fs::path& shader : shaders) {
-        const std::vector<unsigned char> text = readFileBytes(shader);
-        all.insert(all.end(), text.begin(), text.end());
-    }
-    return fmt::format("{} {}", TIMESHADE_COMMIT, toHex(sha256(all)).substr(0, 16));
-}
 
 std::string commandLineOf(const PaperStep& step) { return fmt::format("timeshade {}", fmt::join(step.arguments, " ")); }
 
@@ -112,7 +89,7 @@ StepRecord runStep(const PaperStep& step, const fs::path& folder, const std::str
     if (StopSignals::count() > 0) return record;  // as begun: it goes on next time
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     record.seconds = std::round(10.0 * seconds) / 10.0;
-    if (!record.succeeded()) record.complaint = lastLineOf(folder / "complained.txt");
+    if (!record.succeeded()) record.complaint = lastLine(readFileText(folder / "complained.txt"), 300);
     record.files = filesIn(folder);
     writeRecord(folder, record);
     return record;

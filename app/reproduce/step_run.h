@@ -31,12 +31,8 @@ struct StepRecord {
 /// "timeshade shot rising -o F.png".
 std::string commandLineOf(const PaperStep& step);
 
-/// The commit that this program was built from, and a digest of its binary and of the shaders that it reads: of two
-/// that are alike a step's output is alike.
-std::string thisProgram();
-
 /// The record of a step that has succeeded in this folder with just this command and program and whose files are all as
-/// they were; else one whose exit code is -1.
+/// they were; else one whose exit code is -1. `program` says what draws, binary and shaders included.
 StepRecord finishedStep(const PaperStep& step, const std::filesystem::path& folder, const std::string& program);
 
 /// Runs the step in its folder, which is emptied first unless the same command was interrupted there. Throws Error

@@ -123,10 +123,9 @@ namespace {
 /// As side B, on its own samples where they are others than those of A.
 void showBeside(Session& session, const ProbeSubject& found) {
     const std::unique_ptr<Technique> technique = techniqueOf(found, session.renderer.programs());
-    std::string text = wholeVariantOf(*technique);
-    if (found.samplesPerPixel != session.moment.request.samplesPerPixel)
-        text += fmt::format(":spp={}", found.samplesPerPixel);
-    session.requests.comparison = text;
+    const bool own = found.samplesPerPixel != session.moment.request.samplesPerPixel;
+    session.requests.comparison =
+        wholeVariantOf(*technique) + ownSamplesText(own ? std::optional(found.samplesPerPixel) : std::nullopt);
 }
 
 }  // namespace

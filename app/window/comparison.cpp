@@ -30,11 +30,11 @@ ProbeSubject subjectOfTechnique(Technique& technique, const FrameRequest& reques
     return subject;
 }
 
+}  // namespace
+
 std::string ownSamplesText(const std::optional<int>& samples) {
     return samples ? fmt::format(":spp={}", *samples) : "";
 }
-
-}  // namespace
 
 std::string wholeVariantOf(Technique& technique) {
     std::string variant = technique.description().name;
@@ -176,13 +176,19 @@ std::optional<double> Comparison::sleep(double now) const {
     return driver_ ? driver_->sleep(now) : 0.0;
 }
 
-DisplayImage Comparison::secondImage(const Session& session) {
-    const FrameRequest& request = session.moment.request;
-    if (isFile()) {
-        partner_.file->requireSize(request.width, request.height);
-        return partner_.file->shown(request.look);
-    }
+const FilePicture& Comparison::fittingFile(const FrameRequest& request) const {
+    partner_.file->requireSize(request.width, request.height);
+    return *partner_.file;
+}
+
+DisplayImage Comparison::secondImage(const FrameRequest& request) {
+    if (isFile()) return fittingFile(request).shown(request.look);
     return truth_.samples() > 0 ? truth_.image() : renderer_->readPicture();
+}
+
+LinearImage Comparison::secondRadiance(const FrameRequest& request) {
+    if (isFile()) return fittingFile(request).radiance();
+    return truth_.samples() > 0 ? truth_.radiance() : renderer_->readRadiance();
 }
 
 bool Comparison::updateDifference(Session& session) {
@@ -191,7 +197,7 @@ bool Comparison::updateDifference(Session& session) {
     const PictureDifference::Key key{session.driver.begun(), driver_ ? driver_->begun() : number_, truth_.samples(),
                                      gain};
     if (difference_ && difference_->key() == key) return false;
-    difference_.emplace(key, session.renderer.readPicture(), secondImage(session), gain);
+    difference_.emplace(key, session.renderer.readPicture(), secondImage(session.moment.request), gain);
     return true;
 }
 
@@ -242,20 +248,15 @@ std::string Comparison::labelOfSecond(int samplesPerPixel) const {
 }
 
 std::vector<std::string> Comparison::variants(Session& session) const {
-    std::vector<std::string> both{variantOf(session.technique.current())};
-    if (isFile())
-        both.push_back(std::filesystem::absolute(partner_.file->path()).lexically_normal().string());
-    else if (isTruth())
-        both.emplace_back(truthName);
-    else
-        both.push_back(variantOf(*partner_.technique) + ownSamplesText(partner_.samplesPerPixel));
-    return both;
+    return {variantOf(session.technique.current()), second(variantOf)};
 }
 
-std::string Comparison::wholeVariant() const {
+std::string Comparison::wholeVariant() const { return second(wholeVariantOf); }
+
+std::string Comparison::second(std::string (*textOf)(Technique&)) const {
     if (isFile()) return std::filesystem::absolute(partner_.file->path()).lexically_normal().string();
     if (isTruth()) return truthName;
-    return wholeVariantOf(*partner_.technique) + ownSamplesText(partner_.samplesPerPixel);
+    return textOf(*partner_.technique) + ownSamplesText(partner_.samplesPerPixel);
 }
 
 std::size_t Comparison::bytes() const {
@@ -272,17 +273,11 @@ DisplayImage Comparison::composedPicture(Session& session) {
     options.compareGain = gain;
     const int samples = session.moment.request.samplesPerPixel;
     return composedFor(options, seam, {sampleCountLabel(session.technique.current(), samples), labelOfSecond(samples)},
-                       {session.renderer.readPicture(), secondImage(session)}, PictureText());
+                       {session.renderer.readPicture(), secondImage(session.moment.request)}, PictureText());
 }
 
 LinearImage Comparison::composedRadiance(Session& session) {
-    const FrameRequest& request = session.moment.request;
-    if (isFile()) partner_.file->requireSize(request.width, request.height);
-    return composed(session.renderer.readRadiance(),
-                    isFile()               ? partner_.file->radiance()
-                    : truth_.samples() > 0 ? truth_.radiance()
-                                           : renderer_->readRadiance(),
-                    mode, seam);
+    return composed(session.renderer.readRadiance(), secondRadiance(session.moment.request), mode, seam);
 }
 
 std::string Comparison::manifests(Session& session) {

@@ -143,7 +143,11 @@ class Comparison {
     bool updateStill(Session& session, const FrameDriver::Wanted& first);
     bool updateDifference(Session& session);
     bool updateErrors(Session& session);
-    DisplayImage secondImage(const Session& session);
+    /// Throws Error for one of another size.
+    const FilePicture& fittingFile(const FrameRequest& request) const;
+    DisplayImage secondImage(const FrameRequest& request);
+    LinearImage secondRadiance(const FrameRequest& request);
+    std::string second(std::string (*textOf)(Technique&)) const;
     std::string labelOfSecond(int samplesPerPixel) const;
 
     std::optional<FrameRenderer> renderer_;  ///< made when first needed
@@ -164,5 +168,8 @@ class Comparison {
 std::string variantOf(Technique& technique);
 /// With all of its settings.
 std::string wholeVariantOf(Technique& technique);
+
+/// ":spp=12", as the end of either; empty for those of side A.
+std::string ownSamplesText(const std::optional<int>& samples);
 
 }  // namespace timeshade

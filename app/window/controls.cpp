@@ -1,6 +1,7 @@
 #include "window/controls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +27,20 @@ constexpr int magnify = GLFW_KEY_M, flip = GLFW_KEY_F, ahead = GLFW_KEY_W, back 
               right = GLFW_KEY_D, up = GLFW_KEY_E, down = GLFW_KEY_Q;
 #endif
 }  // namespace keys
+
+/// A key that flies, for GLFW and for ImGui, and where: right, up and ahead.
+struct FlightKey {
+    int pressed;
+    decltype(keys::ahead) held;
+    glm::dvec3 way;
+};
+const std::array<FlightKey, 6> flights{{{GLFW_KEY_D, keys::right, {1, 0, 0}},
+                                        {GLFW_KEY_A, keys::left, {-1, 0, 0}},
+                                        {GLFW_KEY_E, keys::up, {0, 1, 0}},
+                                        {GLFW_KEY_Q, keys::down, {0, -1, 0}},
+                                        {GLFW_KEY_W, keys::ahead, {0, 0, 1}},
+                                        {GLFW_KEY_S, keys::back, {0, 0, -1}}}};
+constexpr int commandMods = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
 
 constexpr double radiansPerHeight = 3.0;  // of a drag over the whole height of the picture
 constexpr float seamReach = 8.0f;         // units of the window within which the seam is grasped
@@ -89,8 +104,7 @@ bool applyKeys(Session& session, const std::vector<KeyPress>& keys) {
             applyControlKey(session, press.key, (press.mods & GLFW_MOD_SHIFT) != 0);
         const bool typing = ImGui::GetIO().WantTextInput;
         if (!typing && press.key == GLFW_KEY_P && (press.mods & GLFW_MOD_SHIFT) != 0) session.requests.exr = true;
-        if (!typing && (press.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0)
-            applyKey(session, press.key);
+        if (!typing && (press.mods & commandMods) == 0) applyKey(session, press.key);
     }
     return false;
 }
@@ -138,11 +152,19 @@ void moveLight(Session& session, double dx, double dy) {
 
 }  // namespace
 
+void PictureMouse::press(const std::vector<KeyPress>& keys) {
+    for (const KeyPress& press : keys)
+        for (std::size_t i = 0; i < flights.size(); ++i)
+            if (press.key == flights[i].pressed && !press.repeated) flightKeys_[i] = (press.mods & commandMods) == 0;
+}
+
 void PictureMouse::fly(Session& session) {
     const ImGuiIO& io = ImGui::GetIO();
-    const auto held = [&](auto key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
-    const glm::dvec3 way{held(keys::right) - held(keys::left), held(keys::up) - held(keys::down),
-                         held(keys::ahead) - held(keys::back)};
+    glm::dvec3 way(0.0);
+    for (std::size_t i = 0; i < flights.size(); ++i) {
+        flightKeys_[i] = flightKeys_[i] && ImGui::IsKeyDown(flights[i].held);
+        if (flightKeys_[i]) way += flights[i].way;
+    }
     const double seconds = std::clamp(session.now - std::exchange(flownUntil_, session.now), 0.0, longestFlight);
     flying_ = !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && way != glm::dvec3(0.0);
     if (!flying_) return;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "window/layout.h"
 #include "window/session.h"
 #include "window/window_events.h"
@@ -13,6 +16,8 @@ bool applyKeys(Session& session, const std::vector<KeyPress>& keys);
 /// fly while they are held. Knows whether a drag began there.
 class PictureMouse {
   public:
+    /// Which keys fly is decided when they are pressed: with Ctrl they are commands, though Ctrl may be let go first.
+    void press(const std::vector<KeyPress>& keys);
     void apply(Session& session, const Area& picture);
     bool dragging() const { return dragging_; }
     bool flying() const { return flying_; }
@@ -21,7 +26,8 @@ class PictureMouse {
     void fly(Session& session);
 
     bool flying_ = false;
-    double flownUntil_ = 0.0;  ///< of the session's clock
+    std::array<bool, 6> flightKeys_{};  ///< those down that were pressed on their own
+    double flownUntil_ = 0.0;           ///< of the session's clock
     bool dragging_ = false;
     bool movingSeam_ = false;
     bool movingLight_ = false;

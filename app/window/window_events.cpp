@@ -18,7 +18,7 @@ WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
     mouse_.moved(left, top);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
         of(w).activity_ = true;
-        if (action != GLFW_RELEASE) of(w).keys_.push_back({key, mods});
+        if (action != GLFW_RELEASE) of(w).keys_.push_back({key, mods, action == GLFW_REPEAT});
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { of(w).activity_ = true; });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {

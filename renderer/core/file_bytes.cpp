@@ -53,4 +53,9 @@ std::vector<unsigned char> readFileBytes(const std::filesystem::path& path, std:
     return bytes;
 }
 
+std::string readFileText(const std::filesystem::path& path, std::size_t most) {
+    const std::vector<unsigned char> bytes = readFileBytes(path, most);
+    return {bytes.begin(), bytes.end()};
+}
+
 }  // namespace timeshade

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace timeshade {
@@ -11,5 +12,8 @@ namespace timeshade {
 /// of more than `most` bytes, of which no more are read or allocated.
 std::vector<unsigned char> readFileBytes(const std::filesystem::path& path,
                                          std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// The same as text.
+std::string readFileText(const std::filesystem::path& path, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace timeshade

@@ -40,4 +40,9 @@ std::string oneLine(std::string_view text, std::size_t limit) {
     return line.substr(0, end).append(ellipsis);
 }
 
+std::string lastLine(std::string_view text, std::size_t limit) {
+    text = text.substr(0, text.find_last_not_of("\r\n ") + 1);
+    return oneLine(text.substr(text.find_last_of("\r\n") + 1), limit);
+}
+
 }  // namespace timeshade

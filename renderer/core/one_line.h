@@ -10,4 +10,7 @@ namespace timeshade {
 /// ends in "...".
 std::string oneLine(std::string_view text, std::size_t limit = 60);
 
+/// The last line of a text that is not only space, made fit in the same way.
+std::string lastLine(std::string_view text, std::size_t limit);
+
 }  // namespace timeshade

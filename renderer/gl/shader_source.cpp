@@ -48,9 +48,9 @@ class Expander {
     /// Counts what is read.
     std::string textOf(const std::string& path, const std::string& includedBy) {
         try {
-            const std::vector<unsigned char> bytes = readFileBytes(shaderDirectory() / path, mostBytes - read_);
-            read_ += bytes.size();
-            return {bytes.begin(), bytes.end()};
+            std::string text = readFileText(shaderDirectory() / path, mostBytes - read_);
+            read_ += text.size();
+            return text;
         } catch (const Error& error) {
             throw Error(fmt::format("{}{}; expected a shader file, of at most {} bytes with all that it includes",
                                     error.what(), includedBy.empty() ? "" : " (included by " + includedBy + ")",

@@ -82,10 +82,14 @@ std::string textOf(const FrameRequest& request) {
 
 }  // namespace
 
+MadeWith madeWithBinary(const std::string& commit) {
+    return {{"program", commit + " " + programDigest()}, {"shaders", shadersDigest()}};
+}
+
 MadeWith madeWithProgram(const std::string& commit, const gl::DeviceInfo& device) {
-    return {{"program", commit + " " + programDigest()},
-            {"shaders", shadersDigest()},
-            {"device", device.vendor + ", " + device.renderer + ", " + device.version}};
+    MadeWith parts = madeWithBinary(commit);
+    parts.emplace_back("device", device.vendor + ", " + device.renderer + ", " + device.version);
+    return parts;
 }
 
 MadeWith madeWithScene(const Scene& scene, const FrameRequest& request) {

@@ -15,7 +15,10 @@ namespace timeshade {
 /// equal are the same measurement; a part that differs says why they are not.
 using MadeWith = std::vector<std::pair<std::string, std::string>>;
 
-/// What is the same for a whole sweep: the program (its commit and its binary), the text of all shaders, the device.
+/// The program (its commit and its binary), and the text of all shaders.
+MadeWith madeWithBinary(const std::string& commit);
+
+/// What is the same for a whole sweep: the same, and the device.
 MadeWith madeWithProgram(const std::string& commit, const gl::DeviceInfo& device);
 
 /// The scene's content and clip, and every field of the request.

@@ -33,10 +33,10 @@ void appendLine(const std::filesystem::path& path, const std::string& line) {
 
 SweepJournal::SweepJournal(const std::filesystem::path& path) : path_(followOwnLinks(path)) {
     if (!std::filesystem::exists(path_)) return;
-    const std::vector<unsigned char> bytes = readFileBytes(path_, largestJournal);
+    const std::string text = readFileText(path_, largestJournal);
     JournalText journal;
     try {
-        journal = journalOf({bytes.begin(), bytes.end()});
+        journal = journalOf(text);
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}; expected a journal of measured rows, or no file of that name", path_.string(),
                                 error.what()));

@@ -82,5 +82,13 @@ TEST(OneLine, CutsAndCleans) {
     EXPECT_EQ(oneLine("ab\xc3\xa4xyz", 6), "ab...");  // not in the middle of a character
 }
 
+TEST(OneLine, TheLastOneIsThatWithWords) {
+    EXPECT_EQ(lastLine("first\nsecond\tword\r\n \n", 40), "second word");
+    EXPECT_EQ(lastLine("alone", 40), "alone");
+    EXPECT_EQ(lastLine("first\nabcdef", 5), "ab...");
+    EXPECT_EQ(lastLine(" \n\r\n", 40), "");
+    EXPECT_EQ(lastLine("", 40), "");
+}
+
 }  // namespace
 }  // namespace timeshade

@@ -265,7 +265,7 @@ class Window:
             height = self.state()["window"][1]
             if widget["visible"] and y0 >= 0 and y1 <= height:
                 return x0, y0, x1, y1
-            self.point(12, height / 2)
+            self.point(12, height - 12)  # below the tabs, however low the window is
             self.wheel(-1 if y1 > height else 1)
         raise AssertionError(f"widget {name} can't be scrolled into view")
 

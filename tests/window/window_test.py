@@ -143,6 +143,32 @@ class Motion(WindowTest):
         self.assertEqual(window.look_at_picture().share_different(before, 0), 0)
         self.close(window)
 
+    def test_flight(self):
+        window = self.open("pillars", "--technique", "static", *QUICK)
+        window.settle()
+        before = window.look_at_picture()
+        # What is pressed with Ctrl is a command, and no flight once Ctrl has been let go.
+        for key in ("keydown", "ctrl"), ("keydown", "d"), ("keyup", "ctrl"):
+            window.hand(*key)
+            window.frames(3)
+        window.hand("keyup", "d")
+        window.settle(hand_camera=False)
+        self.assertEqual(window.look_at_picture().share_different(before, 0), 0)
+        window.hand("keydown", "w")
+        window.wait_state(hand_camera=True)
+        window.frames(3)
+        window.hand("keyup", "w")
+        window.settle()
+        ahead = window.look_at_picture()
+        self.assertGreater(ahead.share_different(before), 0.05)
+        begun = window.state()["begun"]
+        time.sleep(0.5)
+        self.assertEqual(window.state()["begun"], begun, "it stands where the key was let go")
+        window.key("r")
+        window.settle(hand_camera=False)
+        self.assertEqual(window.look_at_picture().share_different(before, 0), 0)
+        self.close(window)
+
     def test_brute_force_can_be_cancelled(self):
         window = self.open("chess", "--technique", "accumulation", *QUICK, "--set", "accumulation.renders=4096")
         window.wait(lambda dump: "cancel" in dump["widgets"] and not dump["state"]["preview"]
