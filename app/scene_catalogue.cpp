@@ -18,10 +18,14 @@
 namespace timeshade {
 
 namespace {
+
+const std::string casePrefix = "case:";
+
 std::filesystem::path sceneDirectory() {
     if (const char* folder = std::getenv("TIMESHADE_SCENES")) return folder;
     return dataFolder() / "assets" / "scenes";
 }
+
 }  // namespace
 
 const std::vector<BuiltInScene>& builtInScenes() {
@@ -43,7 +47,7 @@ const std::vector<BuiltInScene>& caseScenes() {
         for (const ClosedFormCase& c : closedFormCases())
             if (c.scene)
                 all.push_back(
-                    {"case:" + c.name, fmt::format("{}; lit {:.7g}; hard for: {}", c.motion, c.exact, c.breaks)});
+                    {casePrefix + c.name, fmt::format("{}; lit {:.7g}; hard for: {}", c.motion, c.exact, c.breaks)});
         return all;
     }();
     return scenes;
@@ -90,6 +94,11 @@ std::unique_ptr<Scene> loadFile(const std::filesystem::path& path, const SceneCh
 
 }  // namespace
 
+std::optional<std::string> caseNameIn(const std::string& nameOrPath) {
+    if (!nameOrPath.starts_with(casePrefix)) return std::nullopt;
+    return nameOrPath.substr(casePrefix.size());
+}
+
 std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const SceneChoice& choice,
                                  const SettingTexts& settings) {
     LoadingLine line(nameOrPath);
@@ -98,8 +107,8 @@ std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const SceneChoic
 
 std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const SceneChoice& choice, const SettingTexts& settings,
                                  const LoadingWatch& watch) {
-    if (nameOrPath.starts_with("case:")) {
-        const ClosedFormCase& c = closedFormCase(nameOrPath.substr(5));
+    if (const std::optional<std::string> name = caseNameIn(nameOrPath)) {
+        const ClosedFormCase& c = closedFormCase(*name);
         if (!c.scene)
             throw UsageError(
                 fmt::format("scene '{}': this case has no picture; `timeshade cases` evaluates it", nameOrPath));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,9 @@ const std::vector<BuiltInScene>& builtInScenes();
 
 /// The analytic cases that have a picture, named case:NAME. Made, not read from files.
 const std::vector<BuiltInScene>& caseScenes();
+
+/// What stands after "case:" in the name of a scene; null for any other scene.
+std::optional<std::string> caseNameIn(const std::string& nameOrPath);
 
 /// Names of the first look at the program, and what `measure` takes where no scene is named: those that are files.
 std::vector<std::string> showcase();

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "panels/fitting_text.h"
 #include "panels/theme.h"
 
 namespace timeshade {
@@ -36,22 +37,12 @@ void drawSeam(const Area& area, float share) {
                        IM_COL32(245, 245, 245, 255));
 }
 
-/// As much of a label, part by part, as has room.
-std::string fitting(std::string text, float room) {
-    while (ImGui::CalcTextSize(text.c_str()).x > room) {
-        const std::size_t comma = text.rfind(", ");
-        if (comma == std::string::npos) break;
-        text.resize(comma);
-    }
-    return text;
-}
-
-/// A label at the upper edge of [left, right]; where there is no room, what stands first in it.
+/// A label at the upper edge of [left, right]; where there is no room, what stands first in it, and `ending`.
 void drawLabel(const std::string& whole, float left, float right, float top, bool atRight, Widgets& widgets,
-               const std::string& id) {
+               const std::string& id, const std::string& ending = {}) {
     const float pad = 7.0f * widgets.scale();
-    widgets.dump().state("compare." + id, whole);
-    const std::string text = fitting(whole, right - left - 4.0f * pad);
+    widgets.dump().state("compare." + id, whole + ending);
+    const std::string text = fittingText(whole, ending, right - left - 4.0f * pad);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float width = std::min(size.x + 2.0f * pad, right - left - 2.0f * pad);
     if (width < 4.0f * pad) return;
@@ -130,8 +121,8 @@ void drawDifference(Session& session, Widgets& widgets, const Area& area, const 
     const float middle = left + 0.5f * area.size.x;
     drawLabel(difference != nullptr ? fmt::format("{} x |{}", difference->gain(), ofFirst) : ofFirst, left, middle, top,
               false, widgets, "first");
-    drawLabel(difference != nullptr ? "- " + ofSecond + "|" : "waiting for " + ofSecond, middle, right, top, true,
-              widgets, "second");
+    drawLabel((difference != nullptr ? "- " : "waiting for ") + ofSecond, middle, right, top, true, widgets, "second",
+              difference != nullptr ? "|" : "");
     if (difference != nullptr) drawLegend(session, widgets, area);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "panels/fitting_text.h"
 #include "panels/panels.h"
 #include "panels/theme.h"
 #include "window/status_line.h"
@@ -77,10 +78,11 @@ void drawTransportBar(Session& session, Widgets& widgets, const Area& area) {
             drawProgress(session, widgets);
         else {
             ImGui::AlignTextToFramePadding();
-            const std::string& building = session.building;
-            const std::string status = building.empty() ? statusOf(session) : statusOf(session) + " (" + building + ")";
-            ImGui::TextColored(session.driver.preview() ? theme::warning : theme::quiet, "%s", status.c_str());
-            widgets.dump().lastItem("status", status);
+            const std::string status = statusOf(session);
+            const std::string building = session.building.empty() ? "" : " (" + session.building + ")";
+            const std::string shown = fittingText(status, building, ImGui::GetContentRegionAvail().x);
+            ImGui::TextColored(session.driver.preview() ? theme::warning : theme::quiet, "%s", shown.c_str());
+            widgets.dump().lastItem("status", status + building);
         }
     }
     ImGui::End();

@@ -65,9 +65,11 @@ std::string PageWriter::pictures(const FigureResult& result) {
         text += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
                             image(result, picture.file, picture.caption), forHtml(picture.caption));
     for (std::size_t i = 0; i < result.charts.size(); ++i)
-        if (!result.charts[i].empty())
+        if (const DrawnChart& chart = result.charts[i]; chart.file.empty())
+            text += fmt::format("<p class=\"failed\">A chart is missing: {}</p>\n", forHtml(chart.missing));
+        else
             text += fmt::format("<figure class=\"chart\">{}</figure>\n",
-                                image(result, result.charts[i], result.figure.charts[i].caption));
+                                image(result, chart.file, result.figure.charts[i].caption));
     return text + "</div>\n";
 }
 
@@ -128,7 +130,8 @@ std::string PageWriter::figure(const FigureResult& result) {
     if (figure.kind == FigureKind::NotPossible)
         text += fmt::format("<p class=\"note\">Not redrawn: {}</p>\n", forHtml(figure.reason));
     if (!figure.note.empty()) text += fmt::format("<p class=\"note\">{}</p>\n", forHtml(figure.note));
-    if (result.failed()) text += "<p class=\"failed\">A step has failed; what depends on it is missing.</p>\n";
+    if (result.failed())
+        text += "<p class=\"failed\">A step or a chart has failed; what depends on it is missing.</p>\n";
     text += claims(result);
     text += pictures(result);
     for (const PaperTable& each : figure.tables) text += table(each, result.values);

@@ -75,12 +75,15 @@ std::string figureText(const FigureResult& result) {
     if (figure.kind == FigureKind::Drawing) text += "An explanatory drawing: there is nothing to measure.\n\n";
     if (figure.kind == FigureKind::NotPossible) text += fmt::format("Not redrawn: {}\n\n", figure.reason);
     if (!figure.note.empty()) text += figure.note + "\n\n";
-    if (result.failed()) text += "**A step has failed; what depends on it is missing.**\n\n";
+    if (result.failed()) text += "**A step or a chart has failed; what depends on it is missing.**\n\n";
     text += claimsText(result);
     for (const PaperPicture& picture : figure.pictures) text += image(result, picture);
     for (const PaperPair& pair : figure.pairs) text += image(result, pair.left) + image(result, pair.right);
     for (std::size_t i = 0; i < result.charts.size(); ++i)
-        if (!result.charts[i].empty()) text += image(result, {result.charts[i], figure.charts[i].caption});
+        if (const DrawnChart& chart = result.charts[i]; chart.file.empty())
+            text += fmt::format("**A chart is missing: {}**\n\n", chart.missing);
+        else
+            text += image(result, {chart.file, figure.charts[i].caption});
     for (const PaperTable& table : figure.tables) text += tableText(table, result.values);
     return text + stepsText(result);
 }

@@ -40,21 +40,22 @@ Chart chartOf(const PaperChart& wanted, const std::filesystem::path& folder) {
     return chart;
 }
 
-std::string drawn(const PaperChart& chart, std::size_t number, const std::filesystem::path& folder) {
+DrawnChart drawn(const PaperChart& chart, std::size_t number, const std::filesystem::path& folder) {
     const std::string name = fmt::format("chart-{}.png", number);
     try {
         writePng(folder / name, drawChart(chartOf(chart, folder), chartWidth, chartHeight));
-    } catch (const std::exception&) {
-        std::filesystem::remove(folder / name);  // the step that it is drawn from has failed, and says so
-        return "";
+    } catch (const std::exception& error) {
+        std::filesystem::remove(folder / name);  // of an earlier run
+        return {"", fmt::format("{}: {}", chart.file, error.what())};
     }
-    return name;
+    return {name, ""};
 }
 
 }  // namespace
 
 bool FigureResult::failed() const {
-    return std::any_of(steps.begin(), steps.end(), [](const StepRecord& step) { return !step.succeeded(); });
+    return std::any_of(steps.begin(), steps.end(), [](const StepRecord& step) { return !step.succeeded(); }) ||
+           std::any_of(charts.begin(), charts.end(), [](const DrawnChart& chart) { return chart.file.empty(); });
 }
 
 bool PaperResult::failed() const {

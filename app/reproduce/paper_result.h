@@ -11,15 +11,21 @@
 
 namespace timeshade {
 
+struct DrawnChart {
+    std::string file;     ///< "chart-1.png"; empty for one that could not be drawn
+    std::string missing;  ///< why not
+};
+
 /// What has come of one figure.
 struct FigureResult {
     PaperFigure figure;
     std::vector<StepRecord> steps;
     MeasuredValues values;
     std::vector<VerdictOf> verdicts;  ///< of the figure's claims
-    std::vector<std::string> charts;  ///< "chart-1.png"; empty for one that could not be drawn
+    std::vector<DrawnChart> charts;   ///< of the figure's charts
     std::string folder;               ///< relative to the paper's
 
+    /// A step has failed, or a chart could not be drawn.
     bool failed() const;
 };
 

@@ -1,20 +1,22 @@
 #include "window/case_study.h"
 
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "core/pause.h"
 #include "gl/errors.h"
+#include "scene_catalogue.h"
 #include "techniques/registry.h"
 #include "window/session.h"
 
 namespace timeshade {
 
 const ClosedFormCase* CaseStudy::caseOf(const std::string& scene) {
-    const std::string prefix = "case:";
-    if (!scene.starts_with(prefix)) return nullptr;
+    const std::optional<std::string> name = caseNameIn(scene);
+    if (!name) return nullptr;
     for (const ClosedFormCase& c : closedFormCases())
-        if (c.scene && c.name == scene.substr(prefix.size())) return &c;
+        if (c.scene && c.name == *name) return &c;
     return nullptr;
 }
 

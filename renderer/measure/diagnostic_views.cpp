@@ -112,11 +112,14 @@ DisplayImage DisagreementView::draw(const DisplayImage& picture, int enlarged) c
     }
     out = enlargedBy(out, enlarged);
     return withStrip(out, [&](ChartCanvas& canvas, const ChartFont& font) {
-        canvas.fillBox({12.0, 10.0, 24.0, 22.0}, falseShadowColor);
-        writeOnStrip(canvas, font, fmt::format("false shadow: {} samples", falseShadow), 30.0, 21.0);
-        const double half = 0.5 * out.width;
-        canvas.fillBox({half, 10.0, half + 12.0, 22.0}, falseLitColor);
-        writeOnStrip(canvas, font, fmt::format("false lit: {} samples", falseLit), half + 18.0, 21.0);
+        const double half = 0.5 * out.width, room = half - 12.0 - 18.0;
+        const auto write = [&](double left, Rgb color, const std::string& counted) {
+            canvas.fillBox({left, 10.0, left + 12.0, 22.0}, color);
+            const std::string whole = counted + " samples";
+            writeOnStrip(canvas, font, font.width(whole, 12.0) > room ? counted : whole, left + 18.0, 21.0);
+        };
+        write(12.0, falseShadowColor, fmt::format("false shadow: {}", falseShadow));
+        write(half, falseLitColor, fmt::format("false lit: {}", falseLit));
     });
 }
 

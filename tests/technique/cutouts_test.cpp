@@ -16,6 +16,7 @@
 #include "support/cutout_scene.h"
 #include "support/gl_environment.h"
 #include "support/lit_centres.h"
+#include "support/thorough.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -133,9 +134,10 @@ void expectTheLeafsShadow(Technique& technique) {
 }
 
 TEST_P(CutoutsOf, CastTheLeafsShadow) {
-    for (const char* switches : {"", "as_published", "coverage_map", "as_published coverage_map"}) {
-        SCOPED_TRACE(switches);
-        if (const std::unique_ptr<Technique> technique = made(GetParam(), switches)) expectTheLeafsShadow(*technique);
+    const char* const all[] = {"", "as_published coverage_map", "as_published", "coverage_map"};
+    for (std::size_t i = 0; i < usualOrAll<std::size_t>(2, std::size(all)); ++i) {
+        SCOPED_TRACE(all[i]);
+        if (const std::unique_ptr<Technique> technique = made(GetParam(), all[i])) expectTheLeafsShadow(*technique);
     }
 }
 

@@ -18,6 +18,7 @@
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "support/spinning_cube.h"
+#include "support/thorough.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -96,7 +97,7 @@ std::array<Apart, 2> apartAtInstants(const Scene& scene, const std::array<int, 2
 
 TEST(MotionSteps, DisagreementOfASpinningCubeFallsByThirty) {
     const std::unique_ptr<Scene> cube = makeSpinningCube();  // about one of its edges
-    const auto [one, eight] = apartAtInstants(*cube, {1, 8}, 1024);
+    const auto [one, eight] = apartAtInstants(*cube, {1, 8}, usualOrAll(256, 1024));
     EXPECT_GT(one.pixels, 100.0) << "of 3,072 pixels";
     EXPECT_GE(one.pixels, 30.0 * eight.pixels) << one.pixels << " against " << eight.pixels;
     EXPECT_GE(one.samples, 30.0 * eight.samples) << one.samples << " against " << eight.samples;

@@ -131,6 +131,10 @@ class Motion(WindowTest):
         self.assertGreater(panned.share_different(orbited), 0.1)
         window.click("camera.save")
         window.wait(lambda dump: "camera.view.1" in dump["widgets"], "the bookmark")
+        window.click("camera.name")
+        window.type("from the left")
+        window.key("Return")
+        window.wait(lambda dump: shown(dump, "camera.view.2") == "from the left", "a bookmark with a name")
         window.point(600, 300)
         window.wheel(2)
         window.settle()
@@ -167,6 +171,25 @@ class Motion(WindowTest):
         window.key("r")
         window.settle(hand_camera=False)
         self.assertEqual(window.look_at_picture().share_different(before, 0), 0)
+        self.close(window)
+
+    def test_focus(self):
+        window = self.open("chess", "--technique", "static", *QUICK)
+        window.settle()
+        before = window.look_at_picture()
+        (width, height), whole = window.state()["drawn"], window.state()["window"][0]
+        left = whole - width
+        window.point(left + 0.3 * width, 0.7 * height)
+        for down in (True, False, True, False):
+            window.hand("mousedown" if down else "mouseup", "1")
+        window.settle(hand_camera=True)
+        focused = window.look_at_picture()
+        self.assertGreater(focused.share_different(before), 0.1)
+        # What is in the middle is what was chosen: choosing it again is no change but for a pixel's rounding.
+        window.point(left + 0.5 * width, 0.5 * height)
+        window.key("f")
+        window.settle()
+        self.assertLess(window.look_at_picture().share_different(focused), 0.05)
         self.close(window)
 
     def test_brute_force_can_be_cancelled(self):
