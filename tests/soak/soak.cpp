@@ -220,7 +220,7 @@ class Soak {
     /// A thousand casters over every texel: at the largest map their lists are so large that a leak could hide below
     /// their peak.
     static constexpr const char* crowdScene = "case:many_slivers";
-    static constexpr int maxCrowdMap = 32;
+    const int maxCrowdMap = usualOrAll(16, 32);
     static constexpr int largestWidth = 64, largestHeight = 48, maxSamples = 8, smallestMap = 16, mapSteps = 4;
 
     /// Turns and moves the light, or leaves it as the scene has it; a ground, or none, below what has meshes of a file.

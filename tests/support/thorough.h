@@ -13,4 +13,7 @@ Count usualOrAll(Count usual, Count all) {
     return wanted != nullptr && std::string_view(wanted) == "thorough" ? all : usual;
 }
 
+/// Why a test is skipped otherwise.
+constexpr const char* drawnInThoroughTests = "drawn where TIMESHADE_TESTS=thorough";
+
 }  // namespace timeshade

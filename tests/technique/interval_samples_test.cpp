@@ -17,6 +17,7 @@
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "support/shader_copy.h"
+#include "support/thorough.h"
 #include "techniques/registry.h"
 
 namespace timeshade {
@@ -24,10 +25,12 @@ namespace {
 
 using PartValue = FrameRenderer::PartValue;
 
+const std::uint32_t width = usualOrAll(40u, 64u), height = usualOrAll(30u, 48u);
+
 FrameRequest intervalRequest(int positions = 2) {
     FrameRequest request;
-    request.width = 64;
-    request.height = 48;
+    request.width = static_cast<int>(width);
+    request.height = static_cast<int>(height);
     request.samples = CameraSamples::Intervals;
     request.samplesPerPixel = positions;
     request.mapSize = 64;
@@ -93,7 +96,7 @@ TEST_P(IntervalSamplesOf, ArePartitionsOfTheShutter) {
             end = value.part.end;
         }
         EXPECT_EQ(end, 1.0f);
-        EXPECT_EQ(place, 64u * 48u * 2u);
+        EXPECT_EQ(place, width * height * 2u);
     }
 }
 
@@ -160,7 +163,7 @@ TEST_P(IntervalSamplesOf, SeeWhatTheOracleSeesAtAnyTime) {
     std::size_t wrong = 0, marginal = 0, at = 0;
     for (std::uint32_t pixel = 0; pixel < pixels; ++pixel)
         for (std::uint32_t k = 0; k < 2; ++k) {
-            const SampleIndex sample{pixel % 64, pixel / 64, k};
+            const SampleIndex sample{pixel % width, pixel / width, k};
             const float xi = shared::cameraSample({sample.x, sample.y}, k, plan.block.seed, 0).z;
             const float u = shared::sampleTime(plan.block.timeBase, plan.block.timeScale, k, xi);
             while (segments[at].place < pixel * 2 + k || segments[at].end < u) ++at;
@@ -199,7 +202,10 @@ void expectSameSegments(const std::vector<SeenPart>& a, const std::vector<SeenPa
     EXPECT_LE(different, mostDifferent);
 }
 
+/// Always in the whole picture: where two triangles cross at a shallow angle, rounding shows in some positions of 6,144.
 TEST_P(IntervalSamplesOf, AreTheSameWithEverythingDynamic) {
+    request_.width = 64;
+    request_.height = 48;
     const std::vector<SeenPart> planned = segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "integral"));
     request_.forceDynamic = true;
     expectSameSegments(planned, segmentsOf(drawParts(sharedRenderer(), *scene_, request_, "integral")), 2);

@@ -8,6 +8,7 @@
 #include "support/gl_environment.h"
 #include "support/lit_centres.h"
 #include "support/moving_scene.h"
+#include "support/thorough.h"
 #include "techniques/intervals/intervals_shadow.h"
 
 namespace timeshade {
@@ -65,6 +66,11 @@ Difference differenceOf(const std::string& name, const Settings& settings) {
 
 class IntervalsAlong : public testing::TestWithParam<const char*> {
   protected:
+    /// As a rule each scene is drawn with one of the three settings.
+    bool isDrawn(std::size_t number) const {
+        return usualOrAll((number + std::string(GetParam()).size()) % 3 == 0, true);
+    }
+
     /// Most of it is the noise of the instants. In "quads" the light grazes the faces of bent quads, which shadow each
     /// other texel by texel: there is more of it, and chords of the receivers' ways show.
     void expectAlike(const Settings& settings) {
@@ -76,11 +82,18 @@ class IntervalsAlong : public testing::TestWithParam<const char*> {
     }
 };
 
-TEST_P(IntervalsAlong, AreTheMeanOfInstants) { expectAlike({}); }
+TEST_P(IntervalsAlong, AreTheMeanOfInstants) {
+    if (!isDrawn(0)) GTEST_SKIP() << drawnInThoroughTests;
+    expectAlike({});
+}
 
-TEST_P(IntervalsAlong, AreTheMeanOfInstantsFiltered) { expectAlike({{"bilinear", "on"}}); }
+TEST_P(IntervalsAlong, AreTheMeanOfInstantsFiltered) {
+    if (!isDrawn(1)) GTEST_SKIP() << drawnInThoroughTests;
+    expectAlike({{"bilinear", "on"}});
+}
 
 TEST_P(IntervalsAlong, AsPublishedAreTheMeanOfInstants) {
+    if (!isDrawn(2)) GTEST_SKIP() << drawnInThoroughTests;
     expectAlike({{"as_published", "on"}, {"least_points", "256"}});
 }
 

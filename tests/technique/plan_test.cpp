@@ -131,7 +131,7 @@ class PlanOfTechnique : public testing::TestWithParam<std::string> {};
 /// Up to 36 sequences of 6 frames for each technique. Where two differ, rounding decided: a texel whose centre lies
 /// on an edge, a depth that nearly equals the receiver's.
 TEST_P(PlanOfTechnique, RandomSequencesLookAsIfNothingWerePlanned) {
-    const std::uint32_t sequences = usualOrAll(6u, 36u);
+    const std::uint32_t sequences = usualOrAll(4u, 36u);
     constexpr int framesEach = 6;
     Difference difference;
     std::size_t cachedFrames = 0;
@@ -173,7 +173,7 @@ TEST_P(PlanOfTechnique, ScenesLookAsIfNothingWerePlanned) {
     std::vector<std::unique_ptr<Scene>> scenes;
     for (const std::string& name : names) scenes.push_back(openScene(name, "", {{"cubes.count", "60"}}));
     Difference difference;
-    for (int i = 0; i < usualOrAll(5, 20); ++i) {
+    for (int i = 0; i < usualOrAll(3, 20); ++i) {
         Sequence s;
         s.choose(GetParam());
         const Scene& scene = *scenes[static_cast<std::size_t>(i) % scenes.size()];

@@ -20,6 +20,7 @@ namespace timeshade {
 namespace {
 
 constexpr int width = 48, height = 36;
+constexpr int samplesAnInstant = 4;
 
 /// Turns about an axis through the light by an angle in a second.
 glm::dmat3 turnedBy(const glm::dmat3& axes, const glm::dvec3& about, double angle) {
@@ -100,7 +101,7 @@ Means composed(const Scene& scene, int instants) {
     FramePlanner planner(scene);
     Means means;
     for (int k = 0; k < instants; ++k) {
-        FrameRequest request = requestOf(1, 256, 1000u + static_cast<std::uint32_t>(k));
+        FrameRequest request = requestOf(samplesAnInstant, 256, 1000u + static_cast<std::uint32_t>(k));
         request.shutter.length = 0.0;
         request.frame = (k + 0.5) / instants;
         renderer.draw(planner.plan(request), truth, View::Visibility);
@@ -121,7 +122,8 @@ Means drawn(const Scene& scene, const std::string& technique, int frames) {
     FramePlanner planner(scene);
     Means means;
     for (int k = 0; k < frames; ++k) {
-        renderer.draw(planner.plan(requestOf(32, 1024, 50u + static_cast<std::uint32_t>(k))), *made, View::Visibility);
+        const FrameRequest request = requestOf(32, usualOrAll(512, 1024), 50u + static_cast<std::uint32_t>(k));
+        renderer.draw(planner.plan(request), *made, View::Visibility);
         means.add(renderer.readRadiance());
     }
     return means;
@@ -147,7 +149,7 @@ class LightTurns : public testing::TestWithParam<Setting> {
 
 TEST_P(LightTurns, IsTheMeanOfItsInstants) {
     const TurningLight turning = scene();
-    const Means truth = composed(turning, 1024);
+    const Means truth = composed(turning, 256);
     const TurningLight still(GetParam().kind, GetParam().about, 0.0, GetParam().castersMove, GetParam().speed);
     const double without = rmsOf(drawn(still, "exact", 2), truth);
     // As a rule every third technique beside `exact`, others with other lights.
@@ -161,7 +163,7 @@ TEST_P(LightTurns, IsTheMeanOfItsInstants) {
         if (GetParam().castersMove && stated.ignoresReceiverTime()) continue;
         // Maps over time take bent paths as straight, and the plan says so.
         if (GetParam().speed > 1.0 && technique.name != "exact") continue;
-        const double error = rmsOf(drawn(turning, technique.name, 3), truth);
+        const double error = rmsOf(drawn(turning, technique.name, usualOrAll(2, 3)), truth);
         RecordProperty(technique.name, std::to_string(error));
         EXPECT_LT(error, technique.name == "exact" ? 0.022 : 0.035)
             << technique.name << "; without the turn " << without;
