@@ -1,28 +1,20 @@
 #include "scene_catalogue.h"
 
-#include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cases/closed_form_cases.h"
-#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/nearest_word.h"
+#include "core/scene_folder.h"
 #include "loading_line.h"
 #include "scene/gltf_scene.h"
 #include "scene/grounded_scene.h"
 #include "scene_memory.h"
 
 namespace timeshade {
-
-namespace {
-std::filesystem::path sceneDirectory() {
-    if (const char* folder = std::getenv("TIMESHADE_SCENES")) return folder;
-    return dataFolder() / "assets" / "scenes";
-}
-}  // namespace
 
 const std::vector<BuiltInScene>& builtInScenes() {
     static const std::vector<BuiltInScene> scenes = [] {
@@ -115,7 +107,7 @@ std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const SceneChoic
         if (scene.name == nameOrPath) {
             SceneChoice own = choice;  // they have a ground of their own
             if (own.ground.choice == GroundChoice::Auto) own.ground.choice = GroundChoice::Off;
-            return loadFile(sceneDirectory() / (scene.name + ".glb"), own, watch);
+            return loadFile(sceneFolder() / (scene.name + ".glb"), own, watch);
         }
         known.push_back(scene.name);
     }
