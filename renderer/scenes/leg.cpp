@@ -23,7 +23,7 @@ const RecipeDescription& Leg::description() const {
 }
 
 void Leg::visitSettings(SettingsVisitor& visitor) {
-    visitor.number("cell", cell_, 4.6, 3.0, 20.0, "mm",
+    visitor.number("cell", cell_, 4.6, 4.0, 20.0, "mm",
                    "About how large the body's triangles are; their number falls with its square.");
     visitor.whole("pace", pace_, 24, 8, 48, "frames", "In how many frames the runner makes two steps.");
 }

@@ -105,7 +105,7 @@ const RecipeDescription& Runner::description() const {
 }
 
 void Runner::visitSettings(SettingsVisitor& visitor) {
-    visitor.number("cell", cell_, 7.0, 3.0, 20.0, "mm",
+    visitor.number("cell", cell_, 7.0, 4.0, 20.0, "mm",
                    "About how large the body's triangles are; their number falls with its square.");
     visitor.whole("pace", pace_, 20, 8, 48, "frames", "In how many frames the runner makes two steps.");
     visitor.number("wind", wind_, 0.2, 0.0, 0.4, "m", "How far the cloths wave.");

@@ -46,7 +46,7 @@ const RecipeDescription& Tree::description() const {
 }
 
 void Tree::visitSettings(SettingsVisitor& visitor) {
-    visitor.whole("sprays", sprays_, 900.0, 10.0, 5000.0, "sprays", "How many sprays of 14 leaves it bears.");
+    visitor.whole("sprays", sprays_, 900.0, 10.0, 2000.0, "sprays", "How many sprays of 14 leaves it bears.");
     visitor.number("sway", sway_, 1.5, 0.0, 15.0, "degrees", "How far the wind turns a spray to either side, at most.");
     visitor.number("sun", sun_, 4.0, 0.0, 6.0, "degrees per frame", "How far the sun moves in one frame.");
     visitor.whole("seed", seed_, 1, 1, 1000, "seed", "Another number is another tree.");

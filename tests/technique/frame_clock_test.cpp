@@ -101,8 +101,13 @@ TEST(FrameClock, ProgramsOfAllTechniquesInAllScenesAreCompiledOnce) {
     FrameRenderer renderer;
     const auto drawAll = [&] {
         for (const BuiltInScene& builtIn : builtInScenes()) {
-            const std::unique_ptr<Scene> scene =
-                openScene(builtIn.name, "", {{"cubes.count", "50"}, {"frusta.rows", "4"}});
+            const std::unique_ptr<Scene> scene = openScene(builtIn.name, "",
+                                                           {{"cubes.count", "50"},
+                                                            {"frusta.rows", "4"},
+                                                            {"leg.cell", "20"},
+                                                            {"runner.cell", "20"},
+                                                            {"tree.sprays", "20"},
+                                                            {"octopus-fine.triangles", "80000"}});
             FramePlanner planner(*scene);
             FrameClock clock(renderer, planner, View::Final);
             for (const std::string& name : names())
