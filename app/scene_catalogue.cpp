@@ -1,15 +1,14 @@
 #include "scene_catalogue.h"
 
-#include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cases/closed_form_cases.h"
-#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/nearest_word.h"
+#include "core/scene_folder.h"
 #include "loading_line.h"
 #include "scene/gltf_scene.h"
 #include "scene/grounded_scene.h"
@@ -18,15 +17,8 @@
 namespace timeshade {
 
 namespace {
-
 const std::string casePrefix = "case:";
-
-std::filesystem::path sceneDirectory() {
-    if (const char* folder = std::getenv("TIMESHADE_SCENES")) return folder;
-    return dataFolder() / "assets" / "scenes";
 }
-
-}  // namespace
 
 const std::vector<BuiltInScene>& builtInScenes() {
     static const std::vector<BuiltInScene> scenes = [] {
@@ -124,7 +116,7 @@ std::unique_ptr<Scene> openScene(const std::string& nameOrPath, const SceneChoic
         if (scene.name == nameOrPath) {
             SceneChoice own = choice;  // they have a ground of their own
             if (own.ground.choice == GroundChoice::Auto) own.ground.choice = GroundChoice::Off;
-            return loadFile(sceneDirectory() / (scene.name + ".glb"), own, watch);
+            return loadFile(sceneFolder() / (scene.name + ".glb"), own, watch);
         }
         known.push_back(scene.name);
     }

@@ -65,7 +65,7 @@ const RecipeDescription& Cubes::description() const {
 }
 
 void Cubes::visitSettings(SettingsVisitor& visitor) {
-    visitor.whole("count", count_, 500.0, 1.0, 20000.0, "cubes", "How many cubes fly; 12 triangles each.", true);
+    visitor.whole("count", count_, 500.0, 1.0, 25000.0, "cubes", "How many cubes fly; 12 triangles each.", true);
     visitor.number("speed", speed_, 2.0, 0.0, 16.0, "cube sizes per frame",
                    "How far the fastest cubes fly in one frame; the slowest fly half as far.");
     visitor.number(

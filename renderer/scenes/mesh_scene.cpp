@@ -1,7 +1,6 @@
 #include "scenes/mesh_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -20,13 +19,8 @@ constexpr std::size_t instancesTogether = 64;
 /// Writes the shape's vertices from those places on.
 void place(const Shape& shape, const RigidPose& pose, glm::dvec3* positions, glm::vec3* normals) {
     const glm::mat3 turn(pose.axes);
-    for (const glm::dvec3& position : shape.positions) *positions++ = pose.axes * position + pose.position;
+    for (const glm::dvec3& position : shape.positions) *positions++ = pose.of(position);
     for (const glm::vec3& normal : shape.normals) *normals++ = glm::normalize(turn * normal);
-}
-
-double turnBetween(const glm::dmat3& from, const glm::dmat3& to) {
-    const glm::dmat3 turn = to * glm::transpose(from);
-    return glm::degrees(std::acos(std::clamp(0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1.0), -1.0, 1.0)));
 }
 
 std::shared_ptr<const MeshTopology> topologyOf(const std::vector<MeshInstance>& instances) {
@@ -41,9 +35,30 @@ std::shared_ptr<const MeshTopology> topologyOf(const std::vector<MeshInstance>& 
         topology->textureCoordinates.insert(topology->textureCoordinates.end(), coordinates.begin(), coordinates.end());
         topology->vertexCount += instance.shape->positions.size();
         topology->textureCoordinates.resize(topology->vertexCount);
+        const std::vector<glm::vec3>& colours = instance.shape->colours;
+        if (!colours.empty()) {
+            topology->colours.resize(topology->vertexCount - colours.size(), glm::vec4(1.0f));
+            for (const glm::vec3& colour : colours) topology->colours.emplace_back(colour, 1.0f);
+        }
         ++topology->instanceCount;
     }
+    if (!topology->colours.empty()) topology->colours.resize(topology->vertexCount, glm::vec4(1.0f));
     return topology;
+}
+
+/// Vertices all over a shape that bends, for a look at its motion.
+std::vector<std::uint32_t> spreadOver(const Shape& shape) {
+    constexpr std::size_t most = 96;
+    std::vector<std::uint32_t> some;
+    const std::size_t step = shape.positions.size() / most + 1;
+    for (std::size_t v = 0; v < shape.positions.size(); v += step) some.push_back(static_cast<std::uint32_t>(v));
+    return some;
+}
+
+std::vector<std::uint32_t> allOf(const Shape& shape) {
+    std::vector<std::uint32_t> all(shape.positions.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
 }
 
 }  // namespace
@@ -63,13 +78,11 @@ MeshScene::MeshScene(SceneParts parts)
         firstVertices_.push_back(vertices);
         vertices += shape.positions.size();
         const auto [extremes, isNew] = known.try_emplace(&shape);
-        if (isNew && instance.motion) {
-            std::vector<std::uint32_t> all(shape.positions.size());
-            std::iota(all.begin(), all.end(), 0u);
-            extremes->second = extremesOf({shape.positions.begin(), shape.positions.end()}, all);
-        }
+        if (isNew && instance.motion)
+            extremes->second = extremesOf({shape.positions.begin(), shape.positions.end()}, allOf(shape));
+        if (isNew && instance.flesh) extremes->second = spreadOver(shape);
         things_.push_back(fmt::format("instance {}", things_.size()));
-        extremes_.push_back(instance.motion ? extremes->second : std::vector<std::uint32_t>{});
+        extremes_.push_back(instance.moves() ? extremes->second : std::vector<std::uint32_t>{});
     }
 }
 
@@ -88,14 +101,19 @@ InnerMotion MeshScene::innerMotion(double openSeconds, double closeSeconds) cons
     for (std::uint32_t number = 0; number < parts_.instances.size(); ++number) {
         const MeshInstance& instance = parts_.instances[number];
         const std::vector<std::uint32_t>& extremes = extremes_[number];
-        for (std::size_t i = 0; instance.motion && i < instants; ++i) {
+        for (std::size_t i = 0; instance.moves() && i < instants; ++i) {
             const double u = inner.instants[i];
             const RigidPose& pose = poses[number * instants + i];
             inner.groups.push_back({number, u, false, static_cast<std::uint32_t>(inner.vertices.size()),
                                     static_cast<std::uint32_t>(extremes.size())});
-            for (const std::uint32_t vertex : extremes) {
-                inner.vertices.push_back(static_cast<std::uint32_t>(firstVertices_[number]) + vertex);
-                inner.positions.push_back(pose.axes * instance.shape->positions[vertex] + pose.position);
+            const std::size_t first = inner.positions.size();
+            inner.positions.resize(first + extremes.size());
+            if (instance.flesh)
+                instance.flesh->bend(clock_.during(openSeconds, closeSeconds, u), extremes, &inner.positions[first],
+                                     nullptr);
+            for (std::size_t e = 0; e < extremes.size(); ++e) {
+                inner.vertices.push_back(static_cast<std::uint32_t>(firstVertices_[number]) + extremes[e]);
+                if (!instance.flesh) inner.positions[first + e] = pose.of(instance.shape->positions[extremes[e]]);
             }
         }
     }
@@ -108,23 +126,28 @@ MotionMesh MeshScene::motionMesh(double openSeconds, double closeSeconds) const 
     for (auto* positions : {&mesh.positionsOpen, &mesh.positionsClose}) positions->resize(topology_->vertexCount);
     for (auto* normals : {&mesh.normalsOpen, &mesh.normalsClose}) normals->resize(topology_->vertexCount);
     std::vector<double> turns(parts_.instances.size(), 0.0);
+    const auto timeAt = [&](double share) { return clock_.during(openSeconds, closeSeconds, share); };
     forEachOf(parts_.instances.size(), instancesTogether, [&](std::size_t number) {
         const MeshInstance& instance = parts_.instances[number];
         const std::size_t first = firstVertices_[number];
-        const auto at = [&](double share) {
-            return instance.motion ? instance.motion(clock_.during(openSeconds, closeSeconds, share)) : instance.pose;
-        };
-        const RigidPose open = at(0.0), close = at(1.0);
-        place(*instance.shape, open, &mesh.positionsOpen[first], &mesh.normalsOpen[first]);
-        place(*instance.shape, close, &mesh.positionsClose[first], &mesh.normalsClose[first]);
-        if (!instance.motion) return;
+        if (instance.flesh) {
+            const std::vector<std::uint32_t> all = allOf(*instance.shape);
+            instance.flesh->bend(timeAt(0.0), all, &mesh.positionsOpen[first], &mesh.normalsOpen[first]);
+            instance.flesh->bend(timeAt(1.0), all, &mesh.positionsClose[first], &mesh.normalsClose[first]);
+        } else {
+            const auto at = [&](double share) {
+                return instance.motion ? instance.motion(timeAt(share)) : instance.pose;
+            };
+            place(*instance.shape, at(0.0), &mesh.positionsOpen[first], &mesh.normalsOpen[first]);
+            place(*instance.shape, at(1.0), &mesh.positionsClose[first], &mesh.normalsClose[first]);
+        }
         // In steps, because the two ends alone cannot distinguish a full turn from none.
         constexpr int steps = 4;
-        glm::dmat3 before = open.axes;
-        for (int step = 1; step <= steps; ++step) {
-            const glm::dmat3 now = step == steps ? close.axes : at(static_cast<double>(step) / steps).axes;
-            turns[number] += turnBetween(before, now);
-            before = now;
+        for (int step = 0; instance.moves() && step < steps; ++step) {
+            const double from = timeAt(static_cast<double>(step) / steps),
+                         to = timeAt(static_cast<double>(step + 1) / steps);
+            turns[number] += instance.flesh ? instance.flesh->turn(from, to)
+                                            : degreesBetween(instance.motion(from), instance.motion(to));
         }
     });
     // Near 1 the arccosine has an error of some 1e-6 degrees.

@@ -8,15 +8,11 @@
 
 #include "scene/clip_clock.h"
 #include "scene/scene.h"
+#include "scenes/flesh.h"
+#include "scenes/rigid_pose.h"
 #include "scenes/shape.h"
 
 namespace timeshade {
-
-/// A rigid transform: p becomes axes * p + position.
-struct RigidPose {
-    glm::dvec3 position{0.0};
-    glm::dmat3 axes{1.0};  ///< orthonormal, right-handed
-};
 
 /// One shape in a scene. Time is in seconds from 0 to the scene's duration; the poses at both ends must be equal.
 struct MeshInstance {
@@ -25,6 +21,10 @@ struct MeshInstance {
     RigidPose pose;  ///< of a static instance
     /// Of a moving instance; empty otherwise. Called from several threads at once.
     std::function<RigidPose(double seconds)> motion;
+    /// Of one that bends, in the world, instead of both; empty otherwise.
+    std::shared_ptr<const Flesh> flesh;
+
+    bool moves() const { return motion || flesh; }
 };
 
 /// The parts of a computed scene. Cameras and the light, too, must be equal at both ends of the duration.
@@ -41,7 +41,7 @@ struct SceneParts {
     std::vector<SceneParameter> parameters;
 };
 
-/// A scene of rigid shapes that move as functions of time.
+/// A scene of shapes that move, or bend, as functions of time.
 class MeshScene final : public Scene {
   public:
     /// `parts` must have at least one material, one instance and one camera, and a light (checked).

@@ -5,10 +5,14 @@
 #include "scenes/cube.h"
 #include "scenes/cubes.h"
 #include "scenes/depths.h"
+#include "scenes/fine_octopus.h"
 #include "scenes/foliage.h"
 #include "scenes/frusta.h"
+#include "scenes/leg.h"
 #include "scenes/rising.h"
+#include "scenes/runner.h"
 #include "scenes/sphere.h"
+#include "scenes/tree.h"
 
 namespace timeshade {
 
@@ -25,6 +29,10 @@ std::vector<std::unique_ptr<SceneRecipe>> allRecipes() {
     recipes.push_back(std::make_unique<Cube>());
     recipes.push_back(std::make_unique<Foliage>());
     recipes.push_back(std::make_unique<Ball>());
+    recipes.push_back(std::make_unique<FineOctopus>());
+    recipes.push_back(std::make_unique<Tree>());
+    recipes.push_back(std::make_unique<Leg>());
+    recipes.push_back(std::make_unique<Runner>());
     return recipes;
 }
 

@@ -14,7 +14,7 @@ struct RecipeDescription {
     std::string summary;  ///< one line: what it shows
 };
 
-/// A scene that is computed from a few settings, without files or OpenGL. Equal settings make bitwise equal scenes.
+/// A scene that is computed from a few settings, without OpenGL. Equal settings make bitwise equal scenes.
 class SceneRecipe : public HasSettings {
   public:
     virtual const RecipeDescription& description() const = 0;

@@ -76,6 +76,11 @@ void Shape::add(const Shape& other) {
     positions.insert(positions.end(), other.positions.begin(), other.positions.end());
     normals.insert(normals.end(), other.normals.begin(), other.normals.end());
     for (const glm::u32vec3& triangle : other.triangles) triangles.push_back(triangle + first);
+    if (!colours.empty() || !other.colours.empty()) {
+        colours.resize(first, glm::vec3(1.0f));
+        colours.insert(colours.end(), other.colours.begin(), other.colours.end());
+        colours.resize(positions.size(), glm::vec3(1.0f));
+    }
     if (textureCoordinates.empty() && other.textureCoordinates.empty()) return;
     textureCoordinates.resize(first);
     textureCoordinates.insert(textureCoordinates.end(), other.textureCoordinates.begin(),

@@ -14,6 +14,7 @@ struct Shape {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;             ///< unit, one per vertex
     std::vector<glm::vec2> textureCoordinates;  ///< one per vertex; or none, for a shape without
+    std::vector<glm::vec3> colours;  ///< linear, one per vertex, times which the material's counts; or none, for white
     std::vector<glm::u32vec3> triangles;
 
     void add(const Shape& other);

@@ -15,7 +15,8 @@ PROGRAM = os.environ.get("TIMESHADE", "")
 # Of what is tested many times over, all: as .ci/run has it.
 THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
 SCENES = ("chess", "octopus", "pillars")  # those that are files
-COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube", "foliage", "ball")
+COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube", "foliage", "ball",
+            "octopus-fine", "tree", "leg", "runner")
 
 
 def listed_techniques():

@@ -103,8 +103,13 @@ TEST(FrameClock, ProgramsOfAllTechniquesInAllScenesAreCompiledOnce) {
     const auto drawAll = [&] {
         const std::vector<BuiltInScene>& scenes = builtInScenes();
         for (std::size_t i = 0; i < scenes.size(); i += usualOrAll<std::size_t>(3, 1)) {
-            const std::unique_ptr<Scene> scene =
-                openScene(scenes[i].name, "", {{"cubes.count", "50"}, {"frusta.rows", "4"}});
+            const std::unique_ptr<Scene> scene = openScene(scenes[i].name, "",
+                                                           {{"cubes.count", "50"},
+                                                            {"frusta.rows", "4"},
+                                                            {"leg.cell", "20"},
+                                                            {"runner.cell", "20"},
+                                                            {"tree.sprays", "20"},
+                                                            {"octopus-fine.triangles", "80000"}});
             FramePlanner planner(*scene);
             FrameClock clock(renderer, planner, View::Final);
             for (const std::string& name : names())
