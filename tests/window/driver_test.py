@@ -22,8 +22,8 @@ class Driver(WindowTest):
         listed = json.loads(subprocess.run([PROGRAM, "list", "--json"], check=True, capture_output=True).stdout)
         window = self.open("crossing", *SMALL)
         window.key("space")
-        for technique in listed["techniques"]:
-            window.choose("technique", technique["title"])
+        for number, technique in enumerate(listed["techniques"][:9], 1):
+            window.key(str(number))
             window.wait(lambda dump, name=technique["name"]: dump["state"]["technique"] == name, technique["name"])
             first = window.state()["begun"]
             early = window.wait(lambda dump, n=first + 4: dump["state"]["begun"] >= n, "four pictures")["state"]
