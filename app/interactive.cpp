@@ -16,6 +16,7 @@
 #include "core/error.h"
 #include "frame_setup.h"
 #include "gl/debug_log.h"
+#include "gl/waits.h"
 #include "image/image_file.h"
 #include "panels/panels.h"
 #include "report.h"
@@ -324,6 +325,7 @@ void Interactive::dumpWindow(int width, int height) {
     dump_.state("keys", keysHandled_);
     dump_.state("frames", ++framesDrawn_);
     dump_.state("slices", {slices_.ended(), slices_.cancelled()});
+    dump_.state("waits", gl::waitsSoFar());
     dump_.state("building", slices_.announced());
     dump_.state("mouse", {static_cast<int>(io.MousePos.x), static_cast<int>(io.MousePos.y),
                           io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2]});

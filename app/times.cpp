@@ -29,6 +29,7 @@ int runTimes(const MeasureOptions& options) {
         "compiled before. *Whole frame*: by the clock on the wall, until the device has done all. *Processor*: "
         "planning "
         "and telling the device. *Waits*: how often the processor waited for the device before the frame's end. "
+        "*Uploaded*: what it handed to the device. "
         "*Device*: {}.\n\n{}",
         deviceLine(renderer.device()), options.width, options.height, options.rounds,
         renderer.device().software ? "a software renderer, which is the same processor"

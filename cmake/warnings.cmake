@@ -5,6 +5,8 @@ target_compile_options(timeshade_options INTERFACE
   $<$<BOOL:${TIMESHADE_WARNINGS_ARE_ERRORS}>:-Werror>
   # GCC 12 sees overlaps in std::string where there are none (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # Of macros of GoogleTest that are given no further arguments.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-gnu-zero-variadic-macro-arguments>
   # The shared numerics must give the same bits in C++ as in GLSL: no contraction of a*b+c into one rounding.
   -ffp-contract=off)
 target_compile_definitions(timeshade_options INTERFACE
@@ -28,6 +30,4 @@ endif()
 if(TIMESHADE_FUZZ)
   # What a run has reached decides what is tried next.
   target_compile_options(timeshade_options INTERFACE -fsanitize=fuzzer-no-link)
-  # Of Clang: other names for the two warnings that GCC has too, and for templates of macros.
-  target_compile_options(timeshade_options INTERFACE -Wno-gnu-zero-variadic-macro-arguments)
 endif()

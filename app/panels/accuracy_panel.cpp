@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "panels/imgui_versions.h"
 #include "panels/panels.h"
 #include "panels/theme.h"
 #include "report.h"
@@ -46,7 +47,7 @@ void drawChartOf(Session& session, Widgets& widgets) {
         return;
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(chart.picture()->name())), {width, height});
+    ImGui::Image(imguiId(*chart.picture()), {width, height});
     widgets.dump().lastItem("accuracy.chart", accuracy.trail().size());
     if (const auto place = chart.currentPlace()) {
         const ImVec2 centre{corner.x + static_cast<float>(place->x) / pixels,

@@ -9,21 +9,18 @@
 #include <fmt/ranges.h>
 
 #include "panels/fitting_text.h"
+#include "panels/imgui_versions.h"
 #include "panels/theme.h"
 
 namespace timeshade {
 
 namespace {
 
-ImTextureID idOf(const gl::Texture& texture) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.name()));
-}
-
 /// The shares [from, to) of a picture's width at [left, right) of the area's. OpenGL's rows go upwards.
 void drawPart(const gl::Texture& texture, const Area& area, float left, float right, float from, float to,
               bool rowsDown = false) {
     const auto x = [&](float share) { return area.position.x + std::round(share * area.size.x); };
-    ImGui::GetBackgroundDrawList()->AddImage(idOf(texture), {x(left), area.position.y},
+    ImGui::GetBackgroundDrawList()->AddImage(imguiId(texture), {x(left), area.position.y},
                                              {x(right), area.position.y + area.size.y}, {from, rowsDown ? 0.0f : 1.0f},
                                              {to, rowsDown ? 1.0f : 0.0f});
 }
@@ -114,7 +111,7 @@ void drawDifference(Session& session, Widgets& widgets, const Area& area, const 
     const PictureDifference* difference = session.comparison.difference();
     const float left = area.position.x, right = left + area.size.x, top = area.position.y;
     if (difference != nullptr)
-        ImGui::GetBackgroundDrawList()->AddImage(idOf(difference->picture()), area.position,
+        ImGui::GetBackgroundDrawList()->AddImage(imguiId(difference->picture()), area.position,
                                                  {right, area.position.y + area.size.y});
     else
         drawPart(*session.driver.picture(), area, 0.0f, 1.0f, 0.0f, 1.0f);

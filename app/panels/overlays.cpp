@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 
+#include "panels/imgui_versions.h"
 #include "panels/panels.h"
 #include "panels/theme.h"
 
@@ -80,8 +81,8 @@ void drawPagePicture(Session& session, Widgets& widgets, const Area& picture, fl
     if (picture.size.y < 520.0f * widgets.scale() || picture.size.x < width + 60.0f) return;
     const gl::Texture* texture = session.pagePictures.of(name);
     if (texture == nullptr) return;
-    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture->name()));
-    ImGui::Image(id, {width, width * static_cast<float>(texture->height()) / static_cast<float>(texture->width())});
+    ImGui::Image(imguiId(*texture),
+                 {width, width * static_cast<float>(texture->height()) / static_cast<float>(texture->width())});
     widgets.dump().lastItem("page.picture", name);
     ImGui::TextColored(theme::quiet, "%s", shown.c_str());
     ImGui::Spacing();

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "panels/imgui_versions.h"
 #include "panels/panels.h"
 #include "panels/theme.h"
 
@@ -108,8 +109,7 @@ void drawProbe(Session& session, Widgets& widgets, const Area& picture) {
     if (ImGui::Begin("probe", nullptr, flags)) {
         ImGui::BeginGroup();
         const ImVec2 corner = ImGui::GetCursorScreenPos();
-        ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(probe.square()->name())),
-                     {square, square});
+        ImGui::Image(imguiId(*probe.square()), {square, square});
         const float middle = 8.0f * unit * static_cast<float>(PixelProbe::side / 2);
         ImGui::GetWindowDrawList()->AddRect({corner.x + middle, corner.y + middle},
                                             {corner.x + middle + 8.0f * unit, corner.y + middle + 8.0f * unit},

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "panels/imgui_versions.h"
 #include "panels/panels.h"
 #include "panels/theme.h"
 #include "report.h"
@@ -10,11 +11,11 @@
 namespace timeshade {
 
 void drawHeader(Session& session, Widgets& widgets) {
-    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts.back());
+    pushFont(ImGui::GetIO().Fonts->Fonts.back());
     ImGui::TextColored(theme::accent, "Timeshade");
     ImGui::PopFont();
     const float keys = 52.0f * widgets.scale();
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - keys);
+    ImGui::SameLine(contentRight() - keys);
     if (widgets.button("keys", "Keys", keys)) session.panels.keysVisible = !session.panels.keysVisible;
 
     const gl::DeviceInfo& device = session.renderer.device();

@@ -12,7 +12,8 @@ namespace {
 void drawStatistics(Session& session, Widgets& widgets) {
     if (!widgets.section("section.statistics", "Statistics", false)) return;
     if (session.driver.shown().preview) widgets.paragraph("Of the preview", theme::warning);
-    for (const TechniqueStatistic& figure : session.technique.statistics(session.driver)) {
+    const bool playing = session.moment.playback.playing();
+    for (const TechniqueStatistic& figure : session.technique.statistics(session.driver, playing, session.now)) {
         widgets.figure("figure." + figure.name, figure.name, inWords(figure));
         if (figure.warning.empty()) continue;
         widgets.paragraph(figure.warning, theme::warning);

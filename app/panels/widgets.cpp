@@ -7,6 +7,7 @@
 
 #include <imgui_stdlib.h>
 
+#include "panels/imgui_versions.h"
 #include "panels/theme.h"
 
 namespace timeshade {
@@ -124,7 +125,7 @@ void Widgets::beginRow(const std::string& label, const std::string& helpText) {
 
 void Widgets::help(const std::string& text) {
     if (text.empty()) return;
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 36.0f * scale_);
+    ImGui::SameLine(contentRight() - 36.0f * scale_);
     ImGui::TextColored(theme::quiet, "(?)");
     if (ImGui::IsItemHovered()) tooltip(text);
 }
@@ -132,7 +133,7 @@ void Widgets::help(const std::string& text) {
 bool Widgets::reset(const std::string& id, bool differs) {
     if (!differs) return false;
     ImGui::SameLine();
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 15.0f * scale_);
+    ImGui::SetCursorPosX(contentRight() - 15.0f * scale_);
     return iconButton(id + ".reset", Icon::Reset, "Reset to default", 15.0f * scale_);
 }
 
@@ -273,7 +274,7 @@ void Widgets::paragraph(const std::string& text, const ImVec4& color) {
 void Widgets::figure(const std::string& id, const std::string& label, const std::string& value) {
     ImGui::TextColored(theme::quiet, "%s", label.c_str());
     ImGui::SameLine();
-    const float right = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x;
+    const float right = contentRight() - ImGui::CalcTextSize(value.c_str()).x;
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right));
     ImGui::TextUnformatted(value.c_str());
     dump_.lastItem(id, value);

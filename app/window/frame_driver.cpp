@@ -18,6 +18,8 @@ namespace {
 /// How long nothing must change before the full picture is drawn. Only for pictures that are slow.
 constexpr double settleSeconds = 0.35;
 constexpr double budgetMilliseconds = 30.0;
+/// Of what the device has been told to draw. More would only make the window slower to respond.
+constexpr std::size_t stepsAhead = 2;
 
 /// Of work: pauses are left out.
 double milliseconds() {
@@ -98,6 +100,7 @@ bool FrameDriver::update(const Wanted& wanted, double now) {
     }
     const bool changed = noticeChange(wanted, now);
     const Flag working(drawing_);
+    if (renderer_.timer().awaits()) takeTimes();
     try {
         const int before = shown_.number;
         const State stateBefore = state_;
@@ -112,6 +115,7 @@ bool FrameDriver::update(const Wanted& wanted, double now) {
 void FrameDriver::proceed(const Wanted& wanted, bool changed, double now) {
     const bool moving = !wanted.hurry && (wanted.moving || now - lastChange_ < settleSeconds);
     refine_ = refine_ || changed;
+    if (isHeldBack(wanted, changed)) return;
     const int level = moving ? quality_.level() : 0;
     const bool better = refine_ && !moving && state_ != State::Failed;
     if (changed) toMeasure_ = 0;
@@ -129,6 +133,47 @@ void FrameDriver::proceed(const Wanted& wanted, bool changed, double now) {
     if (state_ == State::Drawing) draw(wanted);
 }
 
+/// Nothing new is begun while it is not known whether the last picture is right, or while the device has enough to do.
+/// Where that is wrong it counts as changed.
+bool FrameDriver::isHeldBack(const Wanted& wanted, bool& changed) {
+    const bool behind = isBehind();
+    if (unproven_ && state_ == State::Drawing) {
+        const gl::LateCounts::State room = renderer_.room();
+        if (room == gl::LateCounts::State::Sufficed) {
+            showProven();
+        } else if (room == gl::LateCounts::State::Pending) {
+            restart_ = restart_ || changed;
+            return true;
+        } else {
+            unproven_.reset();
+            changed = refine_ = true;
+        }
+    }
+    if (!changed || !behind || !wanted.moving) return false;
+    restart_ = true;
+    return true;
+}
+
+void FrameDriver::showProven() {
+    try {
+        show(*std::exchange(unproven_, std::nullopt));
+        state_ = State::Complete;
+    } catch (const std::exception& error) {
+        fail(error.what());
+    }
+}
+
+bool FrameDriver::isBehind() {
+    while (!steps_.empty() && steps_.front().passed()) steps_.pop_front();
+    return steps_.size() >= stepsAhead;
+}
+
+void FrameDriver::step() {
+    renderer_.step();
+    steps_.emplace_back();
+    readTimes();
+}
+
 void FrameDriver::begin(const Wanted& wanted, int level) {
     const double start = milliseconds();
     const FrameRequest drawn = quality_.reduced(wanted.request, level);
@@ -140,21 +185,22 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
     stop_ = false;
     ++begun_;
     state_ = State::Drawing;
+    unproven_.reset();
     try {
         hasPlan_ = false;
-        renderer_.timer().finishFrame();  // of a picture that was given up half-way
+        renderer_.timer().dropFrame();  // of a picture that was given up half-way
         if (level == 0 && std::exchange(warmUp_, false))
             drawWarmUp(renderer_, *wanted.planner, *wanted.technique, wanted.request, wanted.view);
         FramePlan plan = wanted.planner->plan(drawn);
-        renderer_.begin(std::move(plan), *wanted.technique, wanted.view, wanted.techniqueView);
+        renderer_.begin(std::move(plan), *wanted.technique, wanted.view, wanted.techniqueView,
+                        gl::LateCounts::Reading::Later);
         hasPlan_ = true;
         pausePoint();  // large buffers may have been made
-        renderer_.step();
+        step();
     } catch (const std::exception& error) {
         fail(error.what());
         return;
     }
-    readTimes();
     double cost = milliseconds() - start;
     if (times_.frames() > 0) cost = std::max(cost, times_.medianTotal() / renderer_.renders());
     quality_.measured(level, cost);
@@ -163,29 +209,23 @@ void FrameDriver::begin(const Wanted& wanted, int level) {
 void FrameDriver::draw(const Wanted& wanted) {
     const double start = milliseconds();
     try {
-        while (!renderer_.complete() && !stop_ && milliseconds() - start < budgetMilliseconds) {
-            renderer_.step();
-            readTimes();
-        }
-        show(wanted);
+        while (!renderer_.complete() && !stop_ && milliseconds() - start < budgetMilliseconds && !isBehind()) step();
+        // Its clock waits for all steps anyway; and what is shown is then what the renderer holds.
+        if (renderer_.device().software) glFinish();
+        if (renderer_.room() == gl::LateCounts::State::Sufficed)
+            show(described(wanted));
+        else if (renderer_.complete())
+            unproven_ = described(wanted);
     } catch (const std::exception& error) {
         fail(error.what());
         return;
     }
     const bool stopped = std::exchange(stop_, false);
-    state_ = renderer_.complete() ? State::Complete : stopped ? State::Cancelled : State::Drawing;
+    state_ = renderer_.complete() && !unproven_ ? State::Complete : stopped ? State::Cancelled : State::Drawing;
 }
 
-/// A copy: the renderer's own changes while the next picture is drawn.
-void FrameDriver::show(const Wanted& wanted) {
-    const gl::Texture& picture = renderer_.displayTexture();
-    const int width = picture.width(), height = picture.height();
-    if (!copy_ || copy_->width() != width || copy_->height() != height) {
-        copy_ = gl::Texture::image2D("picture shown", GL_RGBA8, width, height);
-        copy_->setFilters(GL_LINEAR, GL_LINEAR);
-    }
-    glCopyImageSubData(picture.name(), GL_TEXTURE_2D, 0, 0, 0, 0, copy_->name(), GL_TEXTURE_2D, 0, 0, 0, 0, width,
-                       height, 1);
+/// Of the renderer's picture as it is now.
+ShownPicture FrameDriver::described(const Wanted& wanted) const {
     const FrameRequest& drawn = renderer_.plan().request;
     const StaticVersions& now = renderer_.plan().versions;
     const bool again = shown_.number > 0 && shown_.number < begun_ && drawn.width == shown_.drawn.width &&
@@ -194,29 +234,44 @@ void FrameDriver::show(const Wanted& wanted) {
                                                 : again && !uncached_ &&
                                                       ((now.samples != 0 && now.samples == versions_.samples) ||
                                                        (now.lit != 0 && now.lit == versions_.lit));
+    ShownPicture picture{begun_,
+                         drawn,
+                         level_ > 0,
+                         wanted.technique->description().name,
+                         sampleCountLabel(*wanted.technique, drawn.samplesPerPixel),
+                         wanted.technique->renders(),
+                         renderer_.rendersDone(),
+                         renderer_.renders(),
+                         wanted.instant,
+                         cached,
+                         times_.frames() > 0 ? times_.medianTotal() : 0.0,
+                         times_.newestTotal(),
+                         {},
+                         momentKeyOf(wanted.request)};
+    for (const Setting& setting : settingsOf(*wanted.technique)) picture.settings.push_back(setting.get());
+    return picture;
+}
+
+/// A copy: the renderer's own changes while the next picture is drawn.
+void FrameDriver::show(ShownPicture shown) {
+    const gl::Texture& picture = renderer_.displayTexture();
+    const int width = picture.width(), height = picture.height();
+    if (!copy_ || copy_->width() != width || copy_->height() != height) {
+        copy_ = gl::Texture::image2D("picture shown", GL_RGBA8, width, height);
+        copy_->setFilters(GL_LINEAR, GL_LINEAR);
+    }
+    glCopyImageSubData(picture.name(), GL_TEXTURE_2D, 0, 0, 0, 0, copy_->name(), GL_TEXTURE_2D, 0, 0, 0, 0, width,
+                       height, 1);
     uncached_ = false;
-    versions_ = now;
-    shown_ = {begun_,
-              drawn,
-              level_ > 0,
-              wanted.technique->description().name,
-              sampleCountLabel(*wanted.technique, drawn.samplesPerPixel),
-              wanted.technique->renders(),
-              renderer_.rendersDone(),
-              renderer_.renders(),
-              wanted.instant,
-              cached,
-              times_.frames() > 0 ? times_.medianTotal() : 0.0,
-              times_.newestTotal(),
-              {},
-              momentKeyOf(wanted.request)};
-    for (const Setting& setting : settingsOf(*wanted.technique)) shown_.settings.push_back(setting.get());
+    versions_ = renderer_.plan().versions;
+    shown_ = std::move(shown);
 }
 
 /// A pause has ended the picture: it is begun anew, unless it is not to be drawn at all.
 void FrameDriver::giveUp() {
     const bool stopped = std::exchange(stop_, false);
     hasPlan_ = false;
+    unproven_.reset();
     restart_ = !stopped;
     refine_ = !stopped;
     state_ = stopped ? State::Cancelled : State::Drawing;
@@ -229,13 +284,22 @@ std::optional<double> FrameDriver::progress() const {
 }
 
 void FrameDriver::readTimes() {
-    // The renders of brute force add up. A picture that is drawn once and then stays would leave its times waiting in
-    // the queue for ever.
-    if (renderer_.complete()) times_.add(renderer_.timer().finishFrame());
+    // The renders of brute force add up.
+    if (!renderer_.complete()) return;
+    if (const auto readings = renderer_.timer().endFrame()) times_.add(*readings);
+}
+
+/// Figures arrive later than pictures are shown.
+void FrameDriver::takeTimes() {
+    const auto readings = renderer_.timer().arrived();
+    if (!readings) return;
+    times_.add(*readings);
+    shown_.milliseconds = times_.medianTotal();
+    shown_.newest = times_.newestTotal();
 }
 
 void FrameDriver::forgetTimes() {
-    renderer_.timer().finishFrame();  // times still on their way belong to what was drawn before
+    renderer_.timer().dropAll();  // times still on their way belong to what was drawn before
     times_.reset();
 }
 
@@ -247,6 +311,7 @@ void FrameDriver::fail(const char* what) {
     toMeasure_ = toSettle_ = 0;
     refine_ = false;
     shown_ = {};
+    unproven_.reset();
 }
 
 void FrameDriver::cancel() {
@@ -276,7 +341,8 @@ void FrameDriver::warmUp() { warmUp_ = refine_ = true; }
 void FrameDriver::measure(int pictures) { measureNext_ = pictures; }
 
 std::optional<double> FrameDriver::sleep(double now) const {
-    if (state_ == State::Drawing || measuring() || (toSettle_ > 0 && state_ == State::Complete && level_ == 0))
+    if (state_ == State::Drawing || restart_ || renderer_.timer().awaits() || measuring() ||
+        (toSettle_ > 0 && state_ == State::Complete && level_ == 0))
         return 0.0;
     if (refine_) return std::max(0.0, settleSeconds - (now - lastChange_));
     return std::nullopt;

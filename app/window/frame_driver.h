@@ -1,10 +1,12 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "frame/frame_renderer.h"
+#include "gl/fence.h"
 #include "window/frame_times.h"
 #include "window/preview_quality.h"
 #include "window/shown_picture.h"
@@ -13,7 +15,8 @@ namespace timeshade {
 
 /// Draws what the window wants to see: anew when anything has changed and not at all when nothing has; coarsely while
 /// something moves, if it has to be; a technique that accumulates renders, a few of them at a time. The picture of
-/// before stays until the next is there, so that there is one to be seen whenever drawing pauses.
+/// before stays until the next is there, so that there is one to be seen whenever drawing pauses. It never waits for
+/// the device (but for a software renderer's times): what that has not done yet is looked at by the next update.
 class FrameDriver {
   public:
     explicit FrameDriver(FrameRenderer& renderer);
@@ -92,9 +95,15 @@ class FrameDriver {
     void proceed(const Wanted& wanted, bool changed, double now);
     void begin(const Wanted& wanted, int level);
     void draw(const Wanted& wanted);
-    void show(const Wanted& wanted);
+    bool isHeldBack(const Wanted& wanted, bool& changed);
+    void step();
+    bool isBehind();
+    ShownPicture described(const Wanted& wanted) const;
+    void show(ShownPicture picture);
+    void showProven();
     void giveUp();
     void readTimes();
+    void takeTimes();
     void forgetTimes();
     void fail(const char* what);
 
@@ -121,7 +130,9 @@ class FrameDriver {
     std::string techniqueName_, techniqueView_;
     std::optional<gl::Texture> copy_;  ///< of the renderer's picture
     ShownPicture shown_;
-    StaticVersions versions_;  ///< of the picture before
+    std::optional<ShownPicture> unproven_;  ///< complete, and not known yet whether its lists had room
+    std::deque<gl::Fence> steps_;           ///< behind those that the device has not done yet
+    StaticVersions versions_;               ///< of the picture before
 };
 
 }  // namespace timeshade

@@ -6,15 +6,12 @@
 #include <imgui.h>
 
 #include "panels/comparison_view.h"
+#include "panels/imgui_versions.h"
 #include "window/session.h"
 
 namespace timeshade {
 
 namespace {
-
-ImTextureID idOf(const gl::Texture& texture) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.name()));
-}
 
 /// As large as fits, in the centre. Its rows go downwards.
 void drawFitted(const gl::Texture& picture, const Area& area) {
@@ -22,14 +19,14 @@ void drawFitted(const gl::Texture& picture, const Area& area) {
     const float factor = std::min(area.size.x / width, area.size.y / height);
     const ImVec2 corner{area.position.x + 0.5f * (area.size.x - factor * width),
                         area.position.y + 0.5f * (area.size.y - factor * height)};
-    ImGui::GetBackgroundDrawList()->AddImage(idOf(picture), corner,
+    ImGui::GetBackgroundDrawList()->AddImage(imguiId(picture), corner,
                                              {corner.x + factor * width, corner.y + factor * height});
 }
 
 /// OpenGL's rows go upwards.
 void drawFilling(const gl::Texture& picture, const Area& area) {
     const ImVec2 end{area.position.x + area.size.x, area.position.y + area.size.y};
-    ImGui::GetBackgroundDrawList()->AddImage(idOf(picture), area.position, end, {0.0f, 1.0f}, {1.0f, 0.0f});
+    ImGui::GetBackgroundDrawList()->AddImage(imguiId(picture), area.position, end, {0.0f, 1.0f}, {1.0f, 0.0f});
 }
 
 }  // namespace

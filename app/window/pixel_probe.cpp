@@ -168,7 +168,7 @@ void PixelProbe::drawOther(Session& session, Technique& technique) {
     const FramePlan& plan = session.renderer.plan();
     drawWarmUp(*renderer_, session.scene.planner(), technique, plan.request, View::Visibility);
     renderer_->draw(plan, technique, View::Visibility);
-    renderer_->timer().finishFrame();
+    renderer_->timer().dropAll();
     addRow(plan, *renderer_, technique);
 }
 

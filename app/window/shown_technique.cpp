@@ -11,6 +11,8 @@ namespace timeshade {
 
 namespace {
 
+constexpr double secondsBetweenStatistics = 0.25;
+
 void setAll(Technique& technique, const std::vector<double>& values) {
     std::vector<Setting> settings = settingsOf(technique);
     for (std::size_t i = 0; i < std::min(settings.size(), values.size()); ++i) settings[i].set(values[i]);
@@ -53,10 +55,12 @@ SettingTexts ShownTechnique::settingsOfOthers(gl::ProgramCache& programs) const 
     return others;
 }
 
-const std::vector<TechniqueStatistic>& ShownTechnique::statistics(const FrameDriver& driver) {
-    if (driver.state() == FrameDriver::State::Complete && driver.hasPlan() && statisticsOf_ != driver.begun()) {
+const std::vector<TechniqueStatistic>& ShownTechnique::statistics(const FrameDriver& driver, bool playing, double now) {
+    const bool due = !playing || now - statisticsAt_ >= secondsBetweenStatistics;
+    if (due && driver.state() == FrameDriver::State::Complete && driver.hasPlan() && statisticsOf_ != driver.begun()) {
         statistics_ = technique_->statistics();
         statisticsOf_ = driver.begun();
+        statisticsAt_ = now;
     }
     return statistics_;
 }

@@ -32,14 +32,16 @@ class ShownTechnique {
     void forgetSettings() { settingsLeft_.clear(); }
     SettingTexts settingsOfOthers(gl::ProgramCache& programs) const;
 
-    /// What it counted in the picture that is shown; while that is being drawn, in the one before.
-    const std::vector<TechniqueStatistic>& statistics(const FrameDriver& driver);
+    /// What it counted in the picture that is shown; while that is being drawn, in the one before. While it plays this
+    /// is read a few times a second: each time waits for the device.
+    const std::vector<TechniqueStatistic>& statistics(const FrameDriver& driver, bool playing, double now);
 
   private:
     std::unique_ptr<Technique> technique_;
     std::map<std::string, std::vector<double>> settingsLeft_;
     std::vector<TechniqueStatistic> statistics_;
-    int statisticsOf_ = 0;  ///< the picture that they belong to, by its number
+    double statisticsAt_ = 0.0;  ///< seconds, when they were read
+    int statisticsOf_ = 0;       ///< the picture that they belong to, by its number
 };
 
 }  // namespace timeshade

@@ -22,17 +22,17 @@ void dumpScene(const Session& session, UiDump& dump) {
     dump.state("hand_camera", session.camera.orbit.has_value());
 }
 
-/// What the renderer says of the picture that is shown, from when it was drawn.
+/// What the picture that is shown was drawn with.
 struct Drawn {
     int number = 0;
     nlohmann::json manifest;
 };
 
-void note(Drawn& drawn, int number, const FrameRenderer& renderer, const std::string& technique) {
-    if (number == 0 || number == drawn.number) return;
-    const FrameRequest& request = renderer.plan().request;
-    drawn = {number,
-             {{"technique", technique},
+void note(Drawn& drawn, const ShownPicture& shown) {
+    if (shown.number == 0 || shown.number == drawn.number) return;
+    const FrameRequest& request = shown.drawn;
+    drawn = {shown.number,
+             {{"technique", shown.technique},
               {"size", {request.width, request.height}},
               {"spp", request.samplesPerPixel},
               {"map", request.mapSize.text()}}};
@@ -50,7 +50,7 @@ void dumpPicture(const Session& session, UiDump& dump) {
     if (driver.state() == FrameDriver::State::Failed) dump.state("failure", driver.failure());
     if (driver.shown().number > 0) dump.state("drawn", {driver.shown().drawn.width, driver.shown().drawn.height});
     static Drawn drawn;
-    note(drawn, driver.shown().number, session.renderer, session.technique.name());
+    note(drawn, driver.shown());
     dump.state("manifest", drawn.manifest);
     dump.state("shown_preview", driver.shown().preview);
     dump.state("undo", {session.undo.undoable(), session.undo.redoable()});

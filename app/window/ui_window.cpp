@@ -83,7 +83,19 @@ void UiWindow::rebuildFonts() {
         config.SizePixels = std::round(fontPixels_ * 13.0f / fontHeight);
         atlas.AddFontDefault(&config);
     }
+#if IMGUI_VERSION_NUM < 19200  // later ones keep the atlas' texture up to date by themselves
     ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
+}
+
+void UiWindow::scaleFonts() {
+#if IMGUI_VERSION_NUM >= 19200
+    ImGui::GetStyle().FontSizeBase = fontPixels_;
+    ImGui::GetStyle().FontScaleMain = 1.0f / pixelsPerUnit_;
+#else
+    ImGui::GetIO().FontGlobalScale = 1.0f / pixelsPerUnit_;
+#endif
 }
 
 #if IMGUI_VERSION_NUM >= 18700
@@ -124,13 +136,12 @@ void UiWindow::beginFrame(double textScale) {
     if (fontPixels != fontPixels_) {
         fontPixels_ = fontPixels;
         rebuildFonts();
-        ImGui_ImplOpenGL3_CreateFontsTexture();
     }
     if (layoutScale != layoutScale_) {
         layoutScale_ = layoutScale;
         applyTheme(layoutScale_);
     }
-    ImGui::GetIO().FontGlobalScale = 1.0f / pixelsPerUnit_;
+    scaleFonts();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     holdShortPresses();

@@ -29,6 +29,7 @@ class UiWindow {
 
   private:
     void rebuildFonts();
+    void scaleFonts();
     void holdShortPresses();
     void replayMouse();
 

@@ -104,13 +104,17 @@ void FrameRenderer::resize(int width, int height, int strata) {
     }
 }
 
-void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView) {
+void FrameRenderer::begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView,
+                          gl::LateCounts::Reading counts) {
     requireSupported(plan, technique);
     for (const FramePlan& piece : plan.pieces) requireSupported(piece, technique);
     if (plan.block.positions > 0) requireIntervals(technique, techniqueView);
     std::optional<TechniqueView> own;
     if (!techniqueView.empty()) own = viewOf(technique, techniqueView);
     programs_.keepNewest(programsKept);
+    // Caches may hold what was drawn with too little room.
+    if (counts_.state() != gl::LateCounts::State::Sufficed) invalidateAll();
+    counts_.begin(counts);
     plan_ = std::move(plan);
     technique_ = &technique;
     techniqueView_ = std::move(own);
@@ -187,7 +191,8 @@ void FrameRenderer::giveUp() {
     renders_ = done_ = 0;
     invalidateAll();
     technique_->forget();
-    timer_.finishFrame();
+    timer_.dropFrame();
+    counts_.begin(gl::LateCounts::Reading::AtOnce);
     glDisable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_DEPTH_TEST);
@@ -196,7 +201,7 @@ void FrameRenderer::giveUp() {
 }
 
 TechniqueFrame FrameRenderer::techniqueFrame() {
-    return {*render_, mesh_, *samples_, *visibility_, fullscreen_, timer_, maps_, caches_, settings_.define()};
+    return {*render_, mesh_, *samples_, *visibility_, fullscreen_, timer_, maps_, caches_, counts_, settings_.define()};
 }
 
 std::vector<FrameRenderer::PartValue> FrameRenderer::readParts() const {
@@ -256,6 +261,7 @@ std::optional<StillPixels> FrameRenderer::drawLookup(const TechniqueFrame& frame
 
 void FrameRenderer::endFrame() {
     caches_.endFrame();
+    counts_.end();
     const std::string own = technique_->description().name + ": ";
     // Here, as the technique may be gone when someone asks.
     techniqueBytes_ = technique_->bytes() + caches_.bytes(LightMaps::cacheNames) + caches_.bytes(own);

@@ -47,14 +47,21 @@ class FrameRenderer {
 
     /// Starts a frame. The technique must outlive the frame. Throws Error where the technique does not support the plan
     /// or the buffers can't be had. `techniqueView` names one of the technique's own views, which is then shown as a
-    /// heat map instead of `view`; throws UsageError where the technique has no such view.
-    void begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView = {});
+    /// heat map instead of `view`; throws UsageError where the technique has no such view. Where `counts` are read
+    /// later, nothing of the frame is to be used before room() says that it is right.
+    void begin(FramePlan plan, Technique& technique, View view, const std::string& techniqueView = {},
+               gl::LateCounts::Reading counts = gl::LateCounts::Reading::AtOnce);
     /// Draws the next render. True when the frame is complete. Where a pause (core/pause.h) ends it, the frame is given
     /// up and nothing of it or of frames before is used again; a technique with a history has forgotten it.
     bool step();
     /// begin, and step to the end.
     void draw(FramePlan plan, Technique& technique, View view, const std::string& techniqueView = {});
 
+    /// Did the room that was made for lists suffice, in the renders so far? Pending until the device is done with a
+    /// complete frame. Where it did not, the frame has to be begun again. Does not wait.
+    gl::LateCounts::State room() { return counts_.state(); }
+    /// The same of a complete frame, waiting for it.
+    gl::LateCounts::State settledRoom() { return counts_.settle(); }
     bool complete() const { return renders_ > 0 && done_ == renders_; }
     int rendersDone() const { return done_; }
     int renders() const { return renders_; }
@@ -111,6 +118,7 @@ class FrameRenderer {
     gl::PassTimer timer_;
     gl::ProgramCache programs_;
     FrameCaches caches_;
+    gl::LateCounts counts_;
     FrameUniforms uniforms_;
     SettingsBlock settings_;
     LightMaps maps_;

@@ -27,7 +27,7 @@ void drawWarmUp(FrameRenderer& renderer, FramePlanner& planner, Technique& techn
         const FramePlan plan = planner.plan(request);
         for (int i = 0; i < technique.heldFrames(); ++i) renderer.draw(plan, technique, view);
     }
-    renderer.timer().finishFrame();  // none of it is the picture's time
+    renderer.timer().dropAll();  // none of it is the picture's time
 }
 
 void emptyCaches(FrameRenderer& renderer, Technique& technique) {
@@ -54,7 +54,7 @@ void drawVariants(FrameRenderer& renderer, FramePlanner& planner, Technique& tec
         drawWarmUp(renderer, planner, technique, request, view);
         draw(request.frame);
     }
-    renderer.timer().finishFrame();
+    renderer.timer().dropAll();
 }
 
 }  // namespace timeshade

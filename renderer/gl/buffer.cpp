@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "gl/errors.h"
+#include "gl/uploads.h"
 
 namespace timeshade::gl {
 
@@ -25,7 +26,7 @@ Buffer::Buffer(const std::string& labelText, std::size_t byteCount, const std::s
 
 void Buffer::uploadBytes(const void* data, std::size_t byteCount) {
     assert(byteCount <= byteCount_);
-    if (byteCount > 0) glNamedBufferSubData(name(), 0, static_cast<GLsizeiptr>(byteCount), data);
+    gl::uploadBytes(name(), 0, {static_cast<const std::byte*>(data), byteCount});
 }
 
 }  // namespace timeshade::gl

@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "gl/uploads.h"
 
 namespace timeshade::gl {
 
@@ -32,8 +33,7 @@ std::size_t uploadChangedBytes(Buffer& buffer, std::span<const std::byte> now, s
         const auto last = std::find(first, differs.end(), 0);
         const std::size_t from = static_cast<std::size_t>(first - differs.begin()) * blockBytes,
                           to = endOf(static_cast<std::size_t>(last - differs.begin()) - 1);
-        glNamedBufferSubData(buffer.name(), static_cast<GLintptr>(from), static_cast<GLsizeiptr>(to - from),
-                             &now[from]);
+        uploadBytes(buffer.name(), from, now.subspan(from, to - from));
         uploaded += to - from;
         first = last;
     }

@@ -37,6 +37,8 @@ bool GrowingBuffer::isFarTooLarge(std::size_t elements) {
     return ++smallRequests_ >= smallRequestsBorne;
 }
 
+std::size_t GrowingBuffer::capacity() const { return bytes() / bytesPerTexel(format_); }
+
 void GrowingBuffer::reserve(std::size_t elements, const std::string& advice) {
     const std::size_t each = bytesPerTexel(format_);
     if (buffer_ && isFarTooLarge(elements))

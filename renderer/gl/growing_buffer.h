@@ -28,6 +28,8 @@ class GrowingBuffer {
     const Texture& texels() const { return *view_; }
     const Buffer& buffer() const { return *buffer_; }
     std::size_t bytes() const { return buffer_ ? buffer_->bytes() : 0; }
+    /// Elements that it holds.
+    std::size_t capacity() const;
 
   private:
     bool isFarTooLarge(std::size_t elements);

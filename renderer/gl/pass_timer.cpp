@@ -86,6 +86,10 @@ void PassTimer::recycle(const Frame& frame) {
 std::optional<std::vector<PassTimer::Reading>> PassTimer::endFrame() {
     pending_.push_back(std::move(current_));
     current_.clear();
+    return arrived();
+}
+
+std::optional<std::vector<PassTimer::Reading>> PassTimer::arrived() {
     std::optional<std::vector<Reading>> newest;
     while (!pending_.empty()) {
         const Frame& oldest = pending_.front();
@@ -99,6 +103,17 @@ std::optional<std::vector<PassTimer::Reading>> PassTimer::endFrame() {
         pending_.erase(pending_.begin());
     }
     return newest;
+}
+
+void PassTimer::dropFrame() {
+    recycle(current_);
+    current_.clear();
+}
+
+void PassTimer::dropAll() {
+    dropFrame();
+    for (const Frame& frame : pending_) recycle(frame);
+    pending_.clear();
 }
 
 std::vector<PassTimer::Reading> PassTimer::finishFrame() {

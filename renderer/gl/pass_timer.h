@@ -48,6 +48,14 @@ class PassTimer {
     std::optional<std::vector<Reading>> endFrame();
     /// The same, waiting for the frame just drawn.
     std::vector<Reading> finishFrame();
+    /// Readings of the newest closed frame whose figures have arrived since they were asked for last, or nothing.
+    std::optional<std::vector<Reading>> arrived();
+    /// Figures of closed frames are still on their way.
+    bool awaits() const { return !pending_.empty(); }
+    /// Nobody wants to know of the frame that is not closed yet.
+    void dropFrame();
+    /// Nor of any before.
+    void dropAll();
 
   private:
     struct Step {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "frame/warm_up.h"
+#include "gl/uploads.h"
 #include "gl/waits.h"
 #include "measure/stopwatch.h"
 
@@ -69,14 +70,25 @@ std::vector<ClockedFrame> FrameClock::timeOnce(Technique& technique, const Frame
 
 ClockedFrame FrameClock::draw(Technique& technique, FrameRequest request, double frame, FrameState state) {
     request.frame = frame;
-    const std::uint64_t compiled = renderer_.programs().compiled(), waits = gl::waitsSoFar();
+    for (;;) {
+        ClockedFrame clocked = drawOnce(technique, request, state);
+        if (renderer_.settledRoom() == gl::LateCounts::State::Sufficed) return clocked;
+    }
+}
+
+ClockedFrame FrameClock::drawOnce(Technique& technique, const FrameRequest& request, FrameState state) {
+    const std::uint64_t compiled = renderer_.programs().compiled(), waits = gl::waitsSoFar(),
+                        uploaded = gl::bytesUploadedSoFar();
     ClockedFrame clocked;
     clocked.state = state;
     const Clock::time_point begin = Clock::now();
     FramePlan plan = planner_.plan(request);
     clocked.planMilliseconds = millisecondsSince(begin);
-    renderer_.draw(std::move(plan), technique, view_, techniqueView_);
+    renderer_.begin(std::move(plan), technique, view_, techniqueView_, counts_);
+    while (!renderer_.step()) {
+    }
     clocked.waits = gl::waitsSoFar() - waits;
+    clocked.uploaded = gl::bytesUploadedSoFar() - uploaded;
     clocked.readings = renderer_.timer().finishFrame();
     clocked.wholeMilliseconds = millisecondsSince(begin);
     compiled_ = compiled_ || renderer_.programs().compiled() != compiled;

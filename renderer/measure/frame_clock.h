@@ -16,6 +16,7 @@ struct ClockedFrame {
     double planMilliseconds = 0.0;   ///< of the processor, before the device is told anything
     double wholeMilliseconds = 0.0;  ///< by the clock on the wall, from the plan to the device having done all
     std::uint64_t waits = 0;         ///< how often the processor waited for the device within the frame (gl/waits.h)
+    std::uint64_t uploaded = 0;      ///< bytes that it handed to the device (gl/uploads.h)
 };
 
 /// The readings by name, parts ("build/collect") too, and their sum without the parts as "total". Milliseconds.
@@ -26,8 +27,14 @@ std::map<std::string, double> stepsOf(const std::vector<gl::PassTimer::Reading>&
 class FrameClock {
   public:
     /// `techniqueView`: one of the technique's own instead of `view`, or empty.
-    FrameClock(FrameRenderer& renderer, FramePlanner& planner, View view, std::string techniqueView = {})
-        : renderer_(renderer), planner_(planner), view_(view), techniqueView_(std::move(techniqueView)) {}
+    /// `counts` read later: as in the window; buffers then have more room than a frame needs.
+    FrameClock(FrameRenderer& renderer, FramePlanner& planner, View view, std::string techniqueView = {},
+               gl::LateCounts::Reading counts = gl::LateCounts::Reading::AtOnce)
+        : renderer_(renderer),
+          planner_(planner),
+          view_(view),
+          techniqueView_(std::move(techniqueView)),
+          counts_(counts) {}
 
     /// To be called once for every technique, size and sample count, before its first frame is timed: compiles. Draws
     /// the very frames that time() will draw, since a driver compiles for states that other frames need not have.
@@ -43,11 +50,13 @@ class FrameClock {
   private:
     std::vector<ClockedFrame> timeOnce(Technique& technique, const FrameRequest& request, int steadyFrames);
     ClockedFrame draw(Technique& technique, FrameRequest request, double frame, FrameState state);
+    ClockedFrame drawOnce(Technique& technique, const FrameRequest& request, FrameState state);
 
     FrameRenderer& renderer_;
     FramePlanner& planner_;
     View view_;
     std::string techniqueView_;
+    gl::LateCounts::Reading counts_;
     bool compiled_ = false;  ///< a timed frame did
 };
 

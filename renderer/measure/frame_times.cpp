@@ -13,10 +13,12 @@ namespace timeshade {
 
 namespace {
 
+constexpr double mebibyte = 1024.0 * 1024.0;
+
 /// All figures of a state, by name.
 struct Collected {
     std::map<std::string, std::vector<double>> device, host;
-    std::vector<double> whole, waits;
+    std::vector<double> whole, waits, uploaded;
 
     void add(const ClockedFrame& frame) {
         double told = 0.0;
@@ -29,6 +31,7 @@ struct Collected {
         host["total"].push_back(frame.planMilliseconds + told);
         whole.push_back(frame.wholeMilliseconds);
         waits.push_back(static_cast<double>(frame.waits));
+        uploaded.push_back(static_cast<double>(frame.uploaded) / mebibyte);
     }
 };
 
@@ -48,7 +51,8 @@ std::map<std::string, Timing> timingsOf(const std::map<std::string, std::vector<
 void addRows(const Subject& subject, std::vector<FrameTimesRow>& rows) {
     for (const auto& [state, figures] : subject.figures)
         rows.push_back({subject.point, state, subject.technique->renders(), timingsOf(figures.device),
-                        timingsOf(figures.host), timingOf(figures.whole), timingOf(figures.waits), subject.bytes});
+                        timingsOf(figures.host), timingOf(figures.whole), timingOf(figures.waits),
+                        timingOf(figures.uploaded), subject.bytes});
 }
 
 double medianOf(const std::map<std::string, Timing>& steps, const std::string& name) {
@@ -66,7 +70,7 @@ std::vector<FrameTimesRow> measureFrameTimes(FrameRenderer& renderer, const Swee
         total += static_cast<int>(pointsOf(options, scene).size()) * options.rounds;
     for (const SweepScene& scene : options.scenes) {
         FramePlanner planner(*scene.scene);
-        FrameClock clock(renderer, planner, View::Final);
+        FrameClock clock(renderer, planner, View::Final, {}, gl::LateCounts::Reading::Later);
         std::vector<Subject> subjects;
         for (SweepPoint& point : pointsOf(options, scene)) {
             std::unique_ptr<Technique> technique = makeSubject(point, options, renderer.programs());
@@ -92,19 +96,21 @@ std::vector<FrameTimesRow> measureFrameTimes(FrameRenderer& renderer, const Swee
 
 std::string frameTimesTable(const std::vector<FrameTimesRow>& rows) {
     std::string text =
-        "| scene | technique | spp | map | state | whole frame | processor | of it planning | waits | device | camera "
+        "| scene | technique | spp | map | state | whole frame | processor | of it planning | waits | uploaded MiB | "
+        "device | camera "
         "samples | shadow structure | shadow test | shading | GPU MiB |\n"
-        "| --- | --- | --: | --: | --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |\n";
+        "| --- | --- | --: | --: | --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |\n";
     for (const FrameTimesRow& row : rows)
         text += fmt::format(
-            "| {} | {} | {} | {} | {} | {:.2f} ({:.2f} to {:.2f}) | {:.2f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} | "
+            "| {} | {} | {} | {} | {} | {:.2f} ({:.2f} to {:.2f}) | {:.2f} | {:.2f} | {:.0f} | {:.3f} | {:.2f} | "
+            "{:.2f} | "
             "{:.2f} | {:.2f} | {:.2f} | {:.1f} |\n",
             row.point.scene, row.point.technique,
             row.renders > 1 ? fmt::format("{}x", row.renders) : std::to_string(row.point.sampleCount),
             row.point.mapSize.text(), nameOf(row.state), row.whole.median, row.whole.low, row.whole.high,
-            medianOf(row.host, "total"), medianOf(row.host, "plan"), row.waits.median, medianOf(row.device, "total"),
-            medianOf(row.device, "sample"), medianOf(row.device, "build"), medianOf(row.device, "lookup"),
-            medianOf(row.device, "shade"), static_cast<double>(row.bytes) / (1024.0 * 1024.0));
+            medianOf(row.host, "total"), medianOf(row.host, "plan"), row.waits.median, row.uploaded.median,
+            medianOf(row.device, "total"), medianOf(row.device, "sample"), medianOf(row.device, "build"),
+            medianOf(row.device, "lookup"), medianOf(row.device, "shade"), static_cast<double>(row.bytes) / mebibyte);
     return text;
 }
 

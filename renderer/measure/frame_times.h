@@ -17,6 +17,7 @@ struct FrameTimesRow {
     std::map<std::string, Timing> host;    ///< what the processor spent on telling the device; "plan": before that
     Timing whole;                          ///< by the clock on the wall, from the plan to the device having done all
     Timing waits;                          ///< how often the processor waited for the device before the frame's end
+    Timing uploaded;                       ///< MiB that the processor handed to the device
     std::size_t bytes = 0;                 ///< GPU memory, all of the frame
 };
 

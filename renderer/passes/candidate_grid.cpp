@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "gl/dispatch.h"
+#include "gl/uploads.h"
 #include "shared/candidate_bounds.shared.h"
 #include "shared/frame_blocks.shared.h"
 
@@ -44,14 +45,21 @@ CandidateGrid::CandidateGrid(gl::ProgramCache& programs)
       candidates_("shadow candidates", GL_RGBA32UI) {}
 
 void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t>& casters,
-                          const CandidateGridSize& wanted, std::size_t maxEntries) {
+                          const CandidateGridSize& wanted, gl::LateCounts& counts, std::size_t maxEntries) {
     maxEntries = std::min(maxEntries, deviceLimit());
     casters_.reserve(std::max<std::size_t>(casters.size(), 1), "draw fewer triangles");
-    glNamedBufferSubData(casters_.buffer().name(), 0, static_cast<GLsizeiptr>(casters.size() * sizeof(std::uint32_t)),
-                         casters.data());
+    gl::upload(casters_.buffer().name(), std::span<const std::uint32_t>(casters));
     buckets_ = wanted.buckets;
     castersCount_ = casters.size();
     coarsened_ = false;
+    constexpr std::size_t together = CANDIDATES_TOGETHER;
+    // No more than the limit, even where the last grid tried is the one that is taken.
+    const auto makeRoom = [&](std::size_t entries) {
+        if (entries <= maxEntries || side_ <= 1)
+            candidates_.reserve(2 * std::max<std::size_t>((entries + together - 1) / together, 1),
+                                "lower the number of buckets, or draw fewer triangles");
+        return std::min(candidates_.capacity() / 2 * together, maxEntries);
+    };
     for (side_ = wanted.side;; side_ /= 2) {
         const auto cells =
             static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(buckets_);
@@ -61,13 +69,9 @@ void CandidateGrid::build(const FramePlan& plan, const std::vector<std::uint32_t
         }
         lists_.beginCount(cells);
         insert(plan, casters.size(), false);
-        entries_ = lists_.scan();
-        if (entries_ <= maxEntries || side_ <= 1) break;
+        if (lists_.scan(counts, makeRoom) <= maxEntries || side_ <= 1) break;
         coarsened_ = true;
     }
-    constexpr std::size_t together = CANDIDATES_TOGETHER;
-    candidates_.reserve(2 * std::max<std::size_t>((entries_ + together - 1) / together, 1),
-                        "lower the number of buckets, or draw fewer triangles");
     lists_.bindCursors();
     candidates_.bindForWriting(TECHNIQUE_STORAGE_BINDING);
     insert(plan, casters.size(), true);
@@ -115,7 +119,7 @@ void CandidateGrid::insert(const FramePlan& plan, std::size_t casters, bool fill
 }
 
 double CandidateGrid::entryBytes() const {
-    return 8.0 * static_cast<double>(entries_) + 4.0 * static_cast<double>(castersCount_) * (1.0 + buckets_);
+    return 8.0 * static_cast<double>(entries()) + 4.0 * static_cast<double>(castersCount_) * (1.0 + buckets_);
 }
 
 double CandidateGrid::cellBytes() const { return 8.0 * side_ * side_ * buckets_; }

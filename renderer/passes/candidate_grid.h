@@ -24,7 +24,7 @@ class CandidateGrid {
     /// device takes, the grid's side is halved until they fit: slower to look up, and the same picture. `maxEntries`
     /// may lower that limit further.
     void build(const FramePlan& plan, const std::vector<std::uint32_t>& casters, const CandidateGridSize& wanted,
-               std::size_t maxEntries = ~std::size_t{0});
+               gl::LateCounts& counts, std::size_t maxEntries = ~std::size_t{0});
     /// One place a cell and bucket and one more, and the entries: of four entries one texel holds the bounds and the
     /// next one the triangles.
     const gl::Texture& offsets() const { return lists_.offsets(); }
@@ -35,11 +35,13 @@ class CandidateGrid {
 
     int side() const { return side_; }
     int buckets() const { return buckets_; }
-    std::size_t entries() const { return entries_; }
+    /// Waits for the device.
+    std::size_t entries() const { return lists_.total(); }
     bool coarsened() const { return coarsened_; }
     /// Memory held by everything, kept room included.
     std::size_t bytes() const;
-    /// Bytes that these lists need: 8 an entry, 4 a caster and 4 a caster and bucket; and 8 a cell and bucket.
+    /// Bytes that these lists need: 8 an entry, 4 a caster and 4 a caster and bucket; and 8 a cell and bucket. The
+    /// first waits for the device.
     double entryBytes() const;
     double cellBytes() const;
 
@@ -51,7 +53,7 @@ class CandidateGrid {
     gl::GrowingBuffer casters_, candidates_;
     std::optional<gl::Buffer> queue_;
     int side_ = 0, buckets_ = 0;
-    std::size_t entries_ = 0, castersCount_ = 0;
+    std::size_t castersCount_ = 0;
     bool coarsened_ = false;
 };
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 #include "gl/buffer.h"
+#include "gl/late_counts.h"
 #include "gl/program_cache.h"
 #include "gl/texture.h"
 
@@ -24,10 +26,16 @@ class CellLists {
     /// Zeroes the counters of `cells` lists (at least one) and binds them. Throws LimitError where a storage block does
     /// not hold so many.
     void beginCount(std::size_t cells);
-    /// Turns counts into places, and returns the number of entries: waits for the device. With a `multiple` above 1
-    /// each list gets room for a multiple of so many entries; after filling, the cursors say where its entries end.
-    /// Throws LimitError where there are 2^32 - 1 entries or more. The counters are bound as cursors, ready to fill.
-    std::size_t scan(std::size_t multiple = 1);
+    /// Turns counts into places, and has room made for all entries. How many that are is returned; where counts are
+    /// read later only how many there may be at most, and if there are more, all lists are empty. Else it waits for the
+    /// device. With a `multiple` above 1 each list gets room for a multiple of so many entries; after filling, the
+    /// cursors say where its entries end. Throws LimitError where there are 2^32 - 1 entries or more. The counters are
+    /// bound as cursors, ready to fill.
+    std::size_t scan(gl::LateCounts& counts, const gl::MakeRoom& makeRoom, std::size_t multiple = 1);
+    /// After scan(): has room made for the length of the longest list, in the same two ways.
+    std::size_t longest(gl::LateCounts& counts, const gl::MakeRoom& makeRoom);
+    /// How many entries there are. Waits for the device.
+    std::size_t total() const;
     /// Binds the cursors again, for callers that bound something else in between.
     void bindCursors() const;
     /// Makes what was filled visible to texture fetches and buffer reads.
@@ -41,9 +49,14 @@ class CellLists {
     std::size_t bytes() const;
 
   private:
+    std::size_t blocks() const;
+    void runScan(std::size_t multiple, std::size_t room);
+
     gl::ProgramCache& programs_;
     std::size_t cells_ = 0;
-    std::optional<gl::Buffer> cursors_, offsets_, blocks_;
+    std::shared_ptr<gl::ForeseenCount> total_ = std::make_shared<gl::ForeseenCount>(),
+                                       longest_ = std::make_shared<gl::ForeseenCount>();
+    std::optional<gl::Buffer> cursors_, offsets_, blocks_;  ///< of blocks the sums, all of them, and the longest list
     std::optional<gl::Texture> offsetsView_;
 };
 

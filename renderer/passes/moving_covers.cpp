@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "gl/uploads.h"
 #include "plan/view_triangle.h"
 
 namespace timeshade {
@@ -25,9 +26,7 @@ std::vector<std::uint16_t> rectangleIndices() {
 
 void upload(gl::GrowingBuffer& buffer, const std::vector<std::uint32_t>& list) {
     buffer.reserve(std::max<std::size_t>(list.size(), 1), "a scene of fewer moving triangles is needed");
-    if (!list.empty())
-        glNamedBufferSubData(buffer.buffer().name(), 0, static_cast<GLsizeiptr>(list.size() * sizeof(std::uint32_t)),
-                             list.data());
+    gl::upload(buffer.buffer().name(), std::span<const std::uint32_t>(list));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "passes/near_triangles.h"
 
+#include "gl/uploads.h"
 #include "shared/frame_blocks.shared.h"
 
 namespace timeshade {
@@ -12,8 +13,7 @@ void NearTriangles::set(const std::vector<std::uint32_t>& triangles) {
     }
     if (!list_) list_.emplace("near-plane triangles", GL_R32UI);
     list_->reserve(count_, "fewer triangles must cross the light's near plane");
-    glNamedBufferSubData(list_->buffer().name(), 0, static_cast<GLsizeiptr>(count_ * sizeof(std::uint32_t)),
-                         triangles.data());
+    gl::upload(list_->buffer().name(), std::span<const std::uint32_t>(triangles));
 }
 
 void NearTriangles::addInputs(gl::Inputs& inputs) const {

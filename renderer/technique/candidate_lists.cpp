@@ -107,7 +107,9 @@ void CandidateLists::buildStatic(const TechniqueFrame& frame) {
     lists.travel = std::any_of(staticCasters_.listed.begin(), staticCasters_.listed.end(),
                                [&](std::uint32_t id) { return (*plan.triangles)[id].movesInWorld; });
     lists.wanted = wantedFor(plan, staticCasters_.listed, false);
-    lists.grid.build(plan, staticCasters_.listed, lists.wanted);
+    // What is kept has to be right at once.
+    gl::LateCounts atOnce;
+    lists.grid.build(plan, staticCasters_.listed, lists.wanted, key != 0 ? atOnce : frame.counts);
     entry.setKey(key);
 }
 
@@ -119,7 +121,7 @@ void CandidateLists::buildDynamic(const TechniqueFrame& frame) {
     const auto timed = frame.timer.scope("build/dynamic");
     wantedDynamic_ = wantedFor(frame.plan, dynamicCasters_.listed, true);
     if (!dynamic_) dynamic_.emplace(programs_);
-    dynamic_->build(frame.plan, dynamicCasters_.listed, wantedDynamic_);
+    dynamic_->build(frame.plan, dynamicCasters_.listed, wantedDynamic_, frame.counts);
 }
 
 void CandidateLists::addTo(LookupProgram& lookup) const {

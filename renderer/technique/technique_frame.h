@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/frame_caches.h"
+#include "gl/late_counts.h"
 #include "gl/pass_timer.h"
 #include "gl/shader_source.h"
 #include "passes/fullscreen.h"
@@ -26,6 +27,7 @@ struct TechniqueFrame {
     LightMaps& maps;       ///< ordinary shadow maps that any technique may use
     FrameCaches&
         caches;  ///< for what is the same in many frames; the names of a technique's entries begin with its own
+    gl::LateCounts& counts;                        ///< of lists: read at once or later, as who draws the frame wants
     std::pair<std::string, std::string> settings;  ///< the define that lib/settings.glsl wants
 
     /// Defines that lib/receiver.glsl, lib/light_map.glsl and lib/settings.glsl want. The frame gives them to lookup

@@ -88,6 +88,7 @@ void addToCell(SweptCaster c, ivec2 cell) {
     if (missesSquare(c.edge0, c.edge1, c.edge2, centre, 0.5 * width + c.slack)) return;
     uint slot = listSlot(c.list + uint(cell.y) * gridSide + uint(cell.x));
 #ifdef FILL
+    if (slot >= uint(candidates.length()) / 2u) return;
     uint place = candidatePlace(slot);
     uint nearestStep = depthStep(c.nearest, leastDepth());
     candidates[place] = packCandidateBounds(c.lowBound - vec2(cell), c.highBound - vec2(cell), nearestStep);

@@ -1,7 +1,7 @@
 // Exclusive prefix sum over the counters of all cells, in three dispatches with a block of LIST_SCAN_BLOCK cells per
 // work group. SCAN_STEP 0: sum of each block. 1: exclusive prefix over the blocks' sums, by one group. 2: prefix inside
 // each block, on top of the block's own start. Sums saturate instead of wrapping, so that a total too large to hold is
-// seen as such.
+// seen as such. Where there is no room for so many, all lists are left empty, with cursors that are no place at all.
 #include "shared/frame_blocks.shared.h"
 
 #define GROUP 256
@@ -14,6 +14,7 @@ layout(std430, binding = LIST_BLOCKS_BINDING) buffer ListBlocks { uint listBlock
 uniform uint cells;
 uniform uint blocks;
 uniform uint multiple;  // every list has room for a multiple of so many
+uniform uint room;      // for entries in all
 
 #include "lib/work_groups.glsl"
 
@@ -54,22 +55,30 @@ void main() {
         listBlocks[i] = before;
         before = plus(before, count);
     }
-    if (thread == 0u) listOffsets[cells] = total;
+    if (thread == 0u) {
+        listOffsets[cells] = total <= room ? total : 0u;
+        listBlocks[blocks] = total;
+    }
 #else
     uint block = groupIndex();  // beyond the last one there are no cells
     uint first = min(block, blocks) * uint(LIST_SCAN_BLOCK) + thread * uint(PER_THREAD);
     uint last = min(first + uint(PER_THREAD), cells);
-    uint sum = 0u;
-    for (uint i = first; i < last; ++i) sum = plus(sum, roomFor(listCursors[i]));
+    uint sum = 0u, longest = 0u;
+    for (uint i = first; i < last; ++i) {
+        sum = plus(sum, roomFor(listCursors[i]));
+        longest = max(longest, listCursors[i]);
+    }
     uint before = exclusiveOverGroup(sum, total);
 #if SCAN_STEP == 0
     if (thread == 0u && block < blocks) listBlocks[block] = total;
+    if (longest > 0u) atomicMax(listBlocks[blocks + 1u], longest);
 #else
+    bool fits = listBlocks[blocks] <= room;
     if (block < blocks) before = plus(before, listBlocks[block]);
     for (uint i = first; i < last; ++i) {
         uint count = roomFor(listCursors[i]);
-        listOffsets[i] = before;
-        listCursors[i] = before;
+        listOffsets[i] = fits ? before : 0u;
+        listCursors[i] = fits ? before : NO_LIST_SLOT;
         before = plus(before, count);
     }
 #endif

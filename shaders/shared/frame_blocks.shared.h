@@ -16,6 +16,8 @@
 #define LIST_BLOCKS_BINDING 2
 #define TECHNIQUE_STORAGE_BINDING 3
 #define LIST_SCAN_BLOCK 1024  // cells that one work group of the scan sees
+/// As are all from here on: where there is no room for all entries.
+#define NO_LIST_SLOT 0x80000000u
 
 // Texture units of the frame. Samplers that name none get those from gl::firstFreeUnit on, by their names.
 #define TRIANGLE_POSITIONS_UNIT 0  // buffer texture, TRIANGLE_POSITION_TEXELS RGBA32F a triangle

@@ -20,7 +20,8 @@ while (($# > 0)); do
     shift
 done
 case $command in
-" shot"*) printf '{\n "renderer": "A card",\n "version": "4.6",\n "software": %s\n}\n' "$SOFTWARE" >"$json" ;;
+" shot"*) [[ $SOFTWARE == none ]] && echo "timeshade: error: no OpenGL here" && exit 1
+    printf '{\n "renderer": "A card",\n "version": "4.6",\n "software": %s\n}\n' "$SOFTWARE" >"$json" ;;
 " list --json"*) printf '  "techniques": [\n    {\n      "name": "tsm",\n    },\n    {\n      "name": "exact",\n' ;;
 " verify"*exact*) [[ $BROKEN == yes ]] && echo "timeshade: 12 ppm, expected 10" && exit 3
     echo "  disagree    3 (1.1 ppm): 2 false shadow" ;;
@@ -74,8 +75,28 @@ class GpuCheck(ProgramTest):
                                   capture_output=True, text=True, cwd=self.folder,
                                   env={**environment(), "CALLS": str(self.calls), "SOFTWARE": "true", "BROKEN": "no"})
             self.assertEqual(done.returncode, 1)
-            self.assertIn("expected a GPU, or --allow-software", done.stderr.splitlines()[-1])
+            self.assertRegex(done.stderr, r"\A[^\n]*expected a GPU, or --allow-software\n\Z")
         self.assertEqual(self.check("--allow-software", "--scenes", "chess", SOFTWARE="true").returncode, 0)
+
+    def test_without_opengl_there_is_one_line(self):
+        done = self.check("--allow-software", SOFTWARE="none")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"\A[^\n]*no picture could be drawn: [^\n]*no OpenGL here\n\Z")
+        self.assertEqual(len(self.calls.read_text().splitlines()), 1)
+        self.assertEqual(self.check("--scenes", "chess").returncode, 0, "tried again")
+
+    def test_what_was_interrupted_goes_on(self):
+        """Steps that have ended are not run again; one that had only begun is."""
+        done = self.check("--scenes", "chess")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        before = (self.folder / "results/report.md").read_text()
+        (self.folder / "results/cases.done").unlink()
+        (self.folder / "results/report.md").unlink()
+        self.calls.unlink()
+        self.assertEqual(self.check("--scenes", "chess").returncode, 0)
+        steps = [c.split()[0] for c in self.calls.read_text().splitlines() if not c.startswith(("list", "--version"))]
+        self.assertEqual(steps, ["cases"])
+        self.assertEqual((self.folder / "results/report.md").read_text(), before)
 
     def test_bad_arguments(self):
         self.assertIn("--what: unknown", self.check("--what").stderr)

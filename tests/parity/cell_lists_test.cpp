@@ -63,8 +63,12 @@ void expectSorted(CellLists& lists, const InsertProgram& program, std::size_t ce
     entries.reserve(1, "no advice");
     entries.bindForWriting(5);
     insert(program, cellOf.size(), false);
-    ASSERT_EQ(lists.scan(), cellOf.size());
-    entries.reserve(cellOf.size(), "lower --map");
+    gl::LateCounts counts;
+    const auto makeRoom = [&](std::size_t count) {
+        entries.reserve(count, "lower --map");
+        return entries.capacity();
+    };
+    ASSERT_EQ(lists.scan(counts, makeRoom), cellOf.size());
     entries.bindForWriting(5);
     insert(program, cellOf.size(), true);
     CellLists::finishFill();
@@ -98,7 +102,8 @@ TEST(CellLists, HoldEveryEntryOnce) {
 TEST(CellLists, MayBeEmpty) {
     CellLists lists(sharedRenderer().programs());
     lists.beginCount(5000);
-    EXPECT_EQ(lists.scan(), 0u);
+    gl::LateCounts counts;
+    EXPECT_EQ(lists.scan(counts, [](std::size_t count) { return count; }), 0u);
     for (const GLuint offset : read(lists.offsetsBuffer(), 5001)) ASSERT_EQ(offset, 0u);
 }
 

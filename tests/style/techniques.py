@@ -57,6 +57,7 @@ ABOUT = {
     "tests/technique/shutter_response_test.cpp": ("accumulation", "exact"),
     "tests/technique/reload_test.cpp": ("exact",),  # changes its build shader
     "tests/cli/limits_test.py": ("exact", "ranges"),  # their lists
+    "tests/window/driver_test.py": ("static", "tsm"),  # by key and by name
     "tests/technique/motion_steps_test.cpp": ("accumulation", "exact", "integral", "tsm"),
     "tests/technique/turning_light_test.cpp": ("exact",),
     "tests/technique/cutouts_test.cpp": ("exact", "integral", "intervals"),

@@ -149,10 +149,11 @@ TEST(CandidateGrid, GrowsCoarserUntilItsListsFit) {
     const std::unique_ptr<Technique> exact = makeTechnique("exact", sharedRenderer().programs());
     sharedRenderer().draw(plan, *exact, View::Visibility);  // leaves the frame's uniforms and the mesh bound
     CandidateGrid grid(sharedRenderer().programs());
-    grid.build(plan, plan.casters.dynamicCasters, {256, 4, 0.0, 0.0});
+    gl::LateCounts counts;
+    grid.build(plan, plan.casters.dynamicCasters, {256, 4, 0.0, 0.0}, counts);
     EXPECT_FALSE(grid.coarsened());
     const std::size_t entries = grid.entries();
-    grid.build(plan, plan.casters.dynamicCasters, {256, 4, 0.0, 0.0}, entries / 3);
+    grid.build(plan, plan.casters.dynamicCasters, {256, 4, 0.0, 0.0}, counts, entries / 3);
     EXPECT_TRUE(grid.coarsened());
     EXPECT_LT(grid.side(), 256);
     EXPECT_LE(grid.entries(), entries / 3);

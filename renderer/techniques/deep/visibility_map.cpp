@@ -41,8 +41,10 @@ void VisibilityMap::build(const TechniqueFrame& frame, const StochasticRasterize
     glNamedBufferSubData(counts_.name(), 0, sizeof none, &none);
     lists_.beginCount(size.texels());
     drawAll(frame, strata, false);
-    nodeCount_ = lists_.scan();
-    nodes_.reserve(std::max<std::size_t>(nodeCount_, 1), "lower --map, or allow a greater deep.error");
+    lists_.scan(frame.counts, [&](std::size_t nodes) {
+        nodes_.reserve(std::max<std::size_t>(nodes, 1), "lower --map, or allow a greater deep.error");
+        return nodes_.capacity();
+    });
     drawAll(frame, strata, true);
     CellLists::finishFill();
 }
@@ -115,11 +117,11 @@ void VisibilityMap::addMarks(const FramePlan& plan, const MapLine& line, std::ve
 
 VisibilityMapCounts VisibilityMap::counts() const {
     const auto device = gl::readElement<DeviceCounts>(counts_);
-    return {device.hits, device.texelsInUse, device.mostNodes, nodeCount_};
+    return {device.hits, device.texelsInUse, device.mostNodes, lists_.total()};
 }
 
 std::size_t VisibilityMap::functionBytes() const {
-    return (lists_.cells() + 1) * sizeof(std::uint32_t) + nodeCount_ * 2 * sizeof(float);
+    return (lists_.cells() + 1) * sizeof(std::uint32_t) + lists_.total() * 2 * sizeof(float);
 }
 
 std::size_t VisibilityMap::bytes() const {

@@ -40,7 +40,7 @@ class VisibilityMap {
     VisibilityMapCounts counts() const;
     /// Of the depths at all times, for as many rows of the map as are drawn at once.
     std::size_t rawBytes() const { return samples_ ? samples_->bytes() : 0; }
-    /// Of places and nodes, without what is needed to build them.
+    /// Of places and nodes, without what is needed to build them. Waits for the device.
     std::size_t functionBytes() const;
     std::size_t bytes() const;
 
@@ -58,7 +58,6 @@ class VisibilityMap {
     CellLists lists_;
     gl::GrowingBuffer nodes_;
     gl::Buffer counts_;
-    std::size_t nodeCount_ = 0;
 };
 
 }  // namespace timeshade

@@ -48,33 +48,38 @@ void IntervalMap::build(const TechniqueFrame& frame, const std::vector<std::uint
     glNamedBufferSubData(bentParts_.name(), 0, sizeof none, &none);
     {
         const auto timed = frame.timer.scope("build/count");
-        reserve(1);  // blocks may not be left unbound, though nothing is written while counting
+        if (times_.bytes() == 0) reserve(1);
+        bindEntries();  // blocks may not be left unbound, though nothing is written while counting
         lists_.beginCount(size.texels());
         collect(frame, false);
-        collected_ = lists_.scan();
+        collected_ = lists_.scan(frame.counts, [&](std::size_t count) { return reserve(count); });
     }
     {
         const auto timed = frame.timer.scope("build/intervals");
-        reserve(collected_);
+        bindEntries();
         if (collected_ > 0) collect(frame, true);
     }
     const auto timed = frame.timer.scope("build/arrange");
     if (form_.asPublished)
-        arrangeAsPublished();
+        arrangeAsPublished(frame);
     else
         arrangeVisible(frame);
     CellLists::finishFill();
 }
 
-void IntervalMap::reserve(std::size_t count) {
+std::size_t IntervalMap::reserve(std::size_t count) {
     for (gl::GrowingBuffer* field : {&times_, &depths_, &ids_})
         field->reserve(std::max<std::size_t>(count, 1), "the lists of intervals are too long: lower --map");
-    bindEntries();
+    return std::min({times_.capacity(), depths_.capacity(), ids_.capacity()});
 }
 
-void IntervalMap::reserveArranged(std::size_t count) {
+std::size_t IntervalMap::reserveArranged(std::size_t count) {
     for (gl::GrowingBuffer* field : {&arrangedTimes_, &arrangedDepths_, &arrangedIds_})
         field->reserve(std::max<std::size_t>(count, 1), "the lists of intervals are too long: lower --map");
+    return std::min({arrangedTimes_.capacity(), arrangedDepths_.capacity(), arrangedIds_.capacity()});
+}
+
+void IntervalMap::bindArranged() const {
     arrangedTimes_.bindForWriting(ARRANGED_TIMES_BINDING);
     arrangedDepths_.bindForWriting(ARRANGED_DEPTHS_BINDING);
     arrangedIds_.bindForWriting(ARRANGED_IDS_BINDING);
@@ -112,16 +117,17 @@ void IntervalMap::arrangeVisible(const TechniqueFrame& frame) {
     if (frame.plan.cutouts) defines.emplace_back("CUTOUTS", "1");
     run({.label = "intervals visible", .defines = defines, .compute = "techniques/intervals/visible.comp"}, entries(),
         collected_);
-    kept_ = arrangedLists_.scan();
-    reserveArranged(kept_);
+    arrangedLists_.scan(frame.counts, [&](std::size_t count) { return reserveArranged(count); });
+    bindArranged();
     bindEntries();
     visibleTimes_.bindForWriting(VISIBLE_TIMES_BINDING);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, ARRANGED_OFFSETS_BINDING, arrangedLists_.offsetsBuffer().name());
     run({.label = "intervals arrange", .compute = "techniques/intervals/arrange.comp"}, entries(), collected_);
 }
 
-void IntervalMap::arrangeAsPublished() {
+void IntervalMap::arrangeAsPublished(const TechniqueFrame& frame) {
     reserveArranged(collected_);
+    bindArranged();
     bindEntries();
     gl::Inputs inputs = entries();
     inputs.set("asDrawn", form_.capacity > 0 ? 1u : 0u);
@@ -135,7 +141,9 @@ void IntervalMap::arrangeAsPublished() {
     const float none = 0.0f;
     glClearNamedBufferData(errors_.buffer().name(), GL_R32F, GL_RED, GL_FLOAT, &none);
     if (form_.capacity == 0) return;
-    const std::uint32_t longest = longestCollected(), step = roundsOfLoops / (4 * form_.capacity + 8);
+    const std::uint32_t step = roundsOfLoops / (4 * form_.capacity + 8);
+    const auto longest = static_cast<std::uint32_t>(
+        lists_.longest(frame.counts, [&](std::size_t length) { return (length + step - 1) / step * step; }));
     for (std::uint32_t from = 0; from < longest; from += step)
         run({.label = "intervals compress", .compute = "techniques/intervals/compress.comp"},
             gl::Inputs()
@@ -144,14 +152,6 @@ void IntervalMap::arrangeAsPublished() {
                 .set("from", from)
                 .set("to", from + step),
             cells);
-}
-
-std::uint32_t IntervalMap::longestCollected() const {
-    const auto offsets = gl::readElements<GLuint>(lists_.offsetsBuffer(), 0, lists_.cells() + 1);
-    std::uint32_t longest = 0;
-    for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)
-        longest = std::max(longest, offsets[cell + 1] - offsets[cell]);
-    return longest;
 }
 
 gl::Inputs IntervalMap::entries() const {
@@ -193,9 +193,9 @@ void IntervalMap::addMarks(const FramePlan& plan, const MapLine& line, std::vect
 
 IntervalCounts IntervalMap::counts() const {
     IntervalCounts counts;
-    counts.collected = collected_;
     const auto offsets = gl::readElements<GLuint>(lookedUp().offsetsBuffer(), 0, lists_.cells() + 1);
-    const auto times = gl::readElements<glm::vec2>(arrangedTimes_.buffer(), 0, form_.asPublished ? collected_ : kept_);
+    counts.collected = form_.asPublished ? offsets.back() : lists_.total();
+    const auto times = gl::readElements<glm::vec2>(arrangedTimes_.buffer(), 0, offsets.back());
     for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell) {
         std::size_t kept = 0;
         for (std::size_t i = offsets[cell]; i < offsets[cell + 1] && times[i].x < afterClose; ++i) ++kept;
@@ -204,12 +204,12 @@ IntervalCounts IntervalMap::counts() const {
         counts.texelsInUse += kept > 0 ? 1u : 0u;
     }
     counts.bentParts = gl::readElements<GLuint>(bentParts_, 0, 1)[0];
-    counts.usedBytes = collected_ * bytesPerInterval + times.size() * bytesPerInterval +
+    counts.usedBytes = counts.collected * bytesPerInterval + times.size() * bytesPerInterval +
                        lists_.cells() * 2 * sizeof(GLuint) + covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
     if (form_.asPublished)
         addErrors(offsets, counts);
     else
-        counts.usedBytes += collected_ * sizeof(glm::vec2) + lists_.cells() * 2 * sizeof(GLuint);
+        counts.usedBytes += counts.collected * sizeof(glm::vec2) + lists_.cells() * 2 * sizeof(GLuint);
     return counts;
 }
 

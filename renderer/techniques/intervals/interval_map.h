@@ -54,12 +54,12 @@ class IntervalMap {
 
   private:
     void collect(const TechniqueFrame& frame, bool fill);
-    void reserve(std::size_t count);
+    std::size_t reserve(std::size_t count);
     void bindEntries() const;
-    void reserveArranged(std::size_t count);
+    std::size_t reserveArranged(std::size_t count);
+    void bindArranged() const;
     void arrangeVisible(const TechniqueFrame& frame);
-    void arrangeAsPublished();
-    std::uint32_t longestCollected() const;
+    void arrangeAsPublished(const TechniqueFrame& frame);
     gl::Inputs entries() const;
     void run(const gl::ProgramDescription& source, const gl::Inputs& inputs, std::size_t invocations);
     /// The places of what is looked up.
@@ -76,7 +76,7 @@ class IntervalMap {
     gl::GrowingBuffer arrangedTimes_, arrangedDepths_, arrangedIds_, errors_;
     gl::Buffer bentParts_;
     gl::Framebuffer target_;
-    std::size_t collected_ = 0, kept_ = 0;
+    std::size_t collected_ = 0;  ///< at most
 };
 
 }  // namespace timeshade

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "gl/dispatch.h"
 #include "gl/read_back.h"
+#include "gl/uploads.h"
 #include "technique/linked_interval_marks.h"
 #include "techniques/ranges/bindings.shared.h"
 
@@ -81,17 +82,13 @@ void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& mot
     {
         const auto timed = frame.timer.scope("build/collect");
         triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");
-        if (prisms_ > 0)
-            glNamedBufferSubData(triangles_.buffer().name(), 0,
-                                 static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)),
-                                 motion.dynamicCasters.data());
+        gl::upload(triangles_.buffer().name(), std::span<const std::uint32_t>(motion.dynamicCasters));
         glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size.width);
         glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
         lists_.beginCount(texels);
         drawPrisms(frame, false);
-        places_ = lists_.scan(2);
-        for (gl::GrowingBuffer* field : {&ids_, &times_, &distances_, &slopes_})
-            field->reserve(std::max<std::size_t>(places_ / 2, 1), "the lists of ranges are too long: lower --map");
+        places_ = lists_.scan(
+            frame.counts, [&](std::size_t places) { return makeRoom(places); }, 2);
         ids_.bindForWriting(RANGES_IDS_BINDING);
         times_.bindForWriting(RANGES_TIMES_BINDING);
         distances_.bindForWriting(RANGES_DISTANCES_BINDING);
@@ -110,6 +107,16 @@ void ContiguousRanges::build(const TechniqueFrame& frame, const LightMotion& mot
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     if (places_ > 0) gl::dispatch(gl::groupsFor(texels, 64));
     CellLists::finishFill();
+}
+
+/// Two places a range.
+std::size_t ContiguousRanges::makeRoom(std::size_t places) {
+    std::size_t ranges = ids_.capacity();
+    for (gl::GrowingBuffer* field : {&ids_, &times_, &distances_, &slopes_}) {
+        field->reserve(std::max<std::size_t>((places + 1) / 2, 1), "the lists of ranges are too long: lower --map");
+        ranges = field == &ids_ ? field->capacity() : std::min(ranges, field->capacity());
+    }
+    return 2 * ranges;
 }
 
 void ContiguousRanges::drawPrisms(const TechniqueFrame& frame, bool fill) {
@@ -175,14 +182,15 @@ void ContiguousRanges::addMarks(const FramePlan& plan, const MapLine& line, std:
 
 RangeCounts ContiguousRanges::counts() const {
     const auto device = gl::readElement<DeviceCounts>(counts_);
+    const std::size_t places = lists_.total();
     RangeCounts counts;
-    counts.fragments = places_ - device.sparePlaces;
-    counts.ranges = places_ / 2 - device.emptyRanges;
+    counts.fragments = places - device.sparePlaces;
+    counts.ranges = places / 2 - device.emptyRanges;
     counts.longestList = device.longestList;
     counts.unpairedLists = device.unpairedLists;
     // Equation 2 has a fragment of 16 bytes, a range of 24 besides, and two words a texel. Here a range lies where its
     // two fragments lay; the two words are the texel's place and its cursor.
-    counts.predictedBytes = places_ * bytesPerFragment + 2 * lists_.cells() * sizeof(std::uint32_t) +
+    counts.predictedBytes = places * bytesPerFragment + 2 * lists_.cells() * sizeof(std::uint32_t) +
                             prisms_ * sizeof(std::uint32_t) + indices_.bytes();
     return counts;
 }

@@ -23,6 +23,7 @@ class ContiguousRanges final : public RangeLists {
     std::size_t bytes() const override;
 
   private:
+    std::size_t makeRoom(std::size_t places);
     void drawPrisms(const TechniqueFrame& frame, bool fill);
 
     gl::ProgramCache& programs_;
@@ -31,7 +32,7 @@ class ContiguousRanges final : public RangeLists {
     gl::Buffer counts_, indices_;
     gl::VertexArray none_;
     gl::Framebuffer target_;
-    std::size_t prisms_ = 0, places_ = 0;
+    std::size_t prisms_ = 0, places_ = 0;  ///< of these at most
 };
 
 }  // namespace timeshade

@@ -4,6 +4,7 @@
 
 #include "gl/dispatch.h"
 #include "gl/read_back.h"
+#include "gl/uploads.h"
 #include "shared/linked_intervals.shared.h"
 #include "technique/linked_interval_marks.h"
 #include "techniques/ranges/bindings.shared.h"
@@ -41,26 +42,40 @@ void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion)
     texels_ = size.texels();
     prisms_ = motion.dynamicCasters.size();
     triangles_.reserve(std::max<std::size_t>(prisms_, 1), "a scene of fewer moving triangles is needed");
-    if (prisms_ > 0)
-        glNamedBufferSubData(triangles_.buffer().name(), 0, static_cast<GLsizeiptr>(prisms_ * sizeof(std::uint32_t)),
-                             motion.dynamicCasters.data());
+    gl::upload(triangles_.buffer().name(), std::span<const std::uint32_t>(motion.dynamicCasters));
     heads_.reserve(texels_, advice);
     rangeHeads_.reserve(texels_, advice);
-    fragmentList_.reserve(std::max<std::size_t>(std::min(fragments_, capacity_), 1),
-                          advice);  // as many as the last frame had room for
     glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, size.width);
     glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
     {
         const auto timed = frame.timer.scope("build/collect");
-        collect(frame);
-        if (fragments_ > capacity_) {
-            fragmentList_.reserve(fragments_, advice);
+        const auto makeRoom = [&](std::size_t fragments) {
+            fragmentList_.reserve(std::max<std::size_t>(fragments, 1), advice);
+            return fragmentList_.capacity();
+        };
+        if (frame.counts.later() && foreseen_->known()) {
+            fragments_ = foreseen_->makeRoom(makeRoom);
             collect(frame);
+            frame.counts.expect(counts_, 0, fragments_, foreseen_);
+        } else {
+            collectAll(frame, makeRoom);
         }
     }
     const auto timed = frame.timer.scope("build/generate");
     rangeList_.reserve(std::max<std::size_t>(fragments_ / 2, 1) * LINKED_INTERVAL_WORDS, advice);
     generate();
+}
+
+/// With as much room as the last frame had, and again where there is more.
+void LinkedRanges::collectAll(const TechniqueFrame& frame, const gl::MakeRoom& makeRoom) {
+    for (;;) {
+        const std::size_t room = makeRoom(std::min(fragments_, capacity_));
+        collect(frame);
+        fragments_ = gl::readElement<DeviceCounts>(counts_).fragments;
+        foreseen_->note(fragments_);
+        if (fragments_ <= room) return;
+        capacity_ = fragments_;
+    }
 }
 
 void LinkedRanges::collect(const TechniqueFrame& frame) {
@@ -90,7 +105,6 @@ void LinkedRanges::collect(const TechniqueFrame& frame) {
     glBindVertexArray(none_.name());
     if (prisms_ > 0) glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(prisms_));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    fragments_ = gl::readElement<DeviceCounts>(counts_).fragments;
 }
 
 void LinkedRanges::generate() {

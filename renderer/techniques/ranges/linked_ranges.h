@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "gl/foreseen_count.h"
 #include "gl/framebuffer.h"
 #include "gl/growing_buffer.h"
 #include "techniques/ranges/range_lists.h"
@@ -27,6 +29,7 @@ class LinkedRanges final : public RangeLists {
     std::size_t bytes() const override;
 
   private:
+    void collectAll(const TechniqueFrame& frame, const gl::MakeRoom& makeRoom);
     void collect(const TechniqueFrame& frame);
     void generate();
 
@@ -35,7 +38,8 @@ class LinkedRanges final : public RangeLists {
     gl::Buffer counts_;
     gl::VertexArray none_;
     gl::Framebuffer target_;
-    std::size_t texels_ = 0, capacity_ = 0, prisms_ = 0, fragments_ = 0;
+    std::size_t texels_ = 0, capacity_ = 0, prisms_ = 0, fragments_ = 0;  ///< at most
+    std::shared_ptr<gl::ForeseenCount> foreseen_ = std::make_shared<gl::ForeseenCount>();
 };
 
 }  // namespace timeshade

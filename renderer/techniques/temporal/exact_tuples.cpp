@@ -50,6 +50,9 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
     const auto reserve = [&](std::size_t count) {
         for (gl::GrowingBuffer* field : {&times_, &depths_, &ids_})
             field->reserve(std::max<std::size_t>(count, 1), "the lists of tuples are too long: lower --map");
+        return std::min({times_.capacity(), depths_.capacity(), ids_.capacity()});
+    };
+    const auto bind = [&] {
         times_.bindForWriting(TUPLE_TIMES_BINDING);
         depths_.bindForWriting(TUPLE_DEPTHS_BINDING);
         ids_.bindForWriting(TUPLE_IDS_BINDING);
@@ -57,15 +60,16 @@ void ExactTuples::build(const TechniqueFrame& frame, const std::vector<std::uint
     };
     {
         const auto timed = frame.timer.scope("build/count");
-        reserve(1);
+        if (times_.bytes() == 0) reserve(1);
+        bind();
         lists_.beginCount(size.texels());
         target_.bindForDrawing(size.width, size.height);
         covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines,
                      gl::Inputs(inputs).set("filling", 0u));
-        tuples_ = lists_.scan();
+        tuples_ = lists_.scan(frame.counts, reserve);
     }
     const auto timed = frame.timer.scope("build/tuples");
-    reserve(tuples_);
+    bind();
     target_.bindForDrawing(size.width, size.height);
     if (tuples_ > 0)
         covers_.draw(programs_, "techniques/temporal/coverage_intervals.frag", defines,
@@ -114,11 +118,11 @@ void ExactTuples::addMarks(const FramePlan& plan, const MapLine& line, std::vect
 
 TupleCounts ExactTuples::counts() const {
     TupleCounts counts;
-    counts.tuples = tuples_;
     const auto offsets = gl::readElements<GLuint>(lists_.offsetsBuffer(), 0, lists_.cells() + 1);
     for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)
         counts.longestList = std::max<std::size_t>(counts.longestList, offsets[cell + 1] - offsets[cell]);
-    counts.predictedBytes = tuples_ * bytesPerTuple + lists_.cells() * 2 * sizeof(GLuint) +
+    counts.tuples = offsets.back();
+    counts.predictedBytes = counts.tuples * bytesPerTuple + lists_.cells() * 2 * sizeof(GLuint) +
                             covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
     if (coverage_) {
         counts.skippedTuples = gl::readElement<GLuint>(skipped_);

@@ -37,7 +37,7 @@ class ExactTuples final : public TupleLists {
     gl::Buffer skipped_;
     gl::Framebuffer target_, coverageTarget_;
     std::optional<gl::Texture> coverage_;
-    std::size_t tuples_ = 0;
+    std::size_t tuples_ = 0;  ///< at most
 };
 
 }  // namespace timeshade

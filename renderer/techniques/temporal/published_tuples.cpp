@@ -47,11 +47,15 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
     glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
     glDisable(GL_DEPTH_TEST);
     heads_.reserve(texels_, "lower --map");
-    DeviceCounts found;
     // How many there will be is known once they have been drawn: draw again where the room was too small.
-    for (std::size_t wanted = std::max<std::size_t>(count_, 1);; wanted = found.tuples) {
-        tuples_.reserve(wanted * LINKED_INTERVAL_WORDS, "the lists of tuples are too long: lower --map");
-        const std::size_t room = tuples_.bytes() / (LINKED_INTERVAL_WORDS * sizeof(GLuint));
+    const auto makeRoom = [&](std::size_t tuples) {
+        tuples_.reserve(std::max<std::size_t>(tuples, 1) * LINKED_INTERVAL_WORDS,
+                        "the lists of tuples are too long: lower --map");
+        return tuples_.capacity() / LINKED_INTERVAL_WORDS;
+    };
+    for (std::size_t wanted = count_;;) {
+        const bool later = frame.counts.later() && foreseen_->known();
+        const std::size_t room = later ? foreseen_->makeRoom(makeRoom) : makeRoom(wanted);
         const GLuint nothing = NO_INTERVAL;
         glClearNamedBufferData(heads_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &nothing);
         const DeviceCounts zero;
@@ -63,10 +67,11 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
         covers_.draw(programs_, "techniques/temporal/published_tuples.frag", defines,
                      gl::Inputs(inputs).set("capacity", static_cast<std::uint32_t>(room)));
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        found = gl::readElement<DeviceCounts>(counts_);
-        if (found.tuples <= room) break;
+        if (later) return frame.counts.expect(counts_, 0, room, foreseen_);
+        wanted = count_ = gl::readElement<DeviceCounts>(counts_).tuples;
+        foreseen_->note(count_);
+        if (count_ <= room) return;
     }
-    count_ = found.tuples;
 }
 
 void PublishedTuples::addInputs(gl::Inputs& inputs) const {
@@ -80,19 +85,20 @@ void PublishedTuples::addMarks(const FramePlan& plan, const MapLine& line, std::
 
 TupleCounts PublishedTuples::counts() const {
     TupleCounts counts;
-    counts.tuples = count_;
+    const auto device = gl::readElement<DeviceCounts>(counts_);
+    counts.tuples = device.tuples;
     const auto heads = gl::readElements<GLuint>(heads_.buffer(), 0, texels_);
-    const auto tuples = gl::readElements<GLuint>(tuples_.buffer(), 0, count_ * LINKED_INTERVAL_WORDS);
+    const auto tuples = gl::readElements<GLuint>(tuples_.buffer(), 0, counts.tuples * LINKED_INTERVAL_WORDS);
     for (const GLuint head : heads) {
         std::size_t length = 0;
         for (GLuint tuple = head; tuple != NO_INTERVAL; tuple = tuples[std::size_t{tuple} * LINKED_INTERVAL_WORDS + 5])
             ++length;
         counts.longestList = std::max(counts.longestList, length);
     }
-    counts.predictedBytes = count_ * LINKED_INTERVAL_WORDS * sizeof(GLuint) + texels_ * sizeof(GLuint) +
+    counts.predictedBytes = counts.tuples * LINKED_INTERVAL_WORDS * sizeof(GLuint) + texels_ * sizeof(GLuint) +
                             covers_.count() * sizeof(GLuint) + covers_.fixedBytes();
     if (coverage_) {
-        counts.skippedTuples = gl::readElement<DeviceCounts>(counts_).skipped;
+        counts.skippedTuples = device.skipped;
         const auto covered = gl::readTexture<float>(coverage_->map(), GL_RED, GL_FLOAT);
         counts.coveredTexels = static_cast<std::size_t>(
             std::count_if(covered.begin(), covered.end(), [](float id) { return id >= 0.0f; }));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "gl/foreseen_count.h"
 #include "gl/growing_buffer.h"
 #include "passes/moving_covers.h"
 #include "techniques/temporal/published_coverage.h"
@@ -34,7 +36,8 @@ class PublishedTuples final : public TupleLists {
     gl::Buffer counts_;
     gl::Framebuffer target_;
     std::optional<PublishedCoverage> coverage_;
-    std::size_t texels_ = 0, count_ = 0;
+    std::size_t texels_ = 0, count_ = 0;  ///< when it was read last
+    std::shared_ptr<gl::ForeseenCount> foreseen_ = std::make_shared<gl::ForeseenCount>();
 };
 
 }  // namespace timeshade

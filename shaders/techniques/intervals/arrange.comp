@@ -28,7 +28,7 @@ void storeInterval(uint place, MapInterval i) {}
 
 void main() {
     uint place = invocationIndex();
-    if (place >= intervals) return;
+    if (!isInterval(place)) return;
     MapInterval i = loadInterval(place);
     if (i.begin >= i.end) return;
     uint texel = texelOfInterval(place), first = listOffsets[texel];
@@ -38,6 +38,7 @@ void main() {
 #else
     uint target = arrangedOffsets[texel] + rankByTime(first, last, place);
 #endif
+    if (target >= uint(arrangedTimes.length())) return;
     arrangedTimes[target] = vec2(i.begin, i.end);
     arrangedDepths[target] = vec2(i.depthBegin, i.depthEnd);
     arrangedIds[target] = i.id;

@@ -52,7 +52,7 @@ Part partFrom(SeenTriangle t, float begin, float depth, float end, float length)
 
 void put(uint cell, Part p) {
     uint slot = listSlot(cell);
-    ONLY_IF(filling != 0u) {
+    ONLY_IF(filling != 0u && slot < uint(intervalTimes.length())) {
         intervalTimes[slot] = vec2(p.begin, p.end);
         intervalDepths[slot] = vec2(p.depthBegin, p.depthEnd);
         intervalIds[slot] = triangleId;

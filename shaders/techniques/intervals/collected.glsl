@@ -7,7 +7,9 @@ layout(std430, binding = INTERVAL_TIMES_BINDING) readonly buffer IntervalTimes {
 layout(std430, binding = INTERVAL_DEPTHS_BINDING) readonly buffer IntervalDepths { vec2 intervalDepths[]; };
 layout(std430, binding = INTERVAL_IDS_BINDING) readonly buffer IntervalIds { uint intervalIds[]; };
 uniform uint texels;
-uniform uint intervals;
+uniform uint intervals;  // at most
+
+bool isInterval(uint place) { return place < min(intervals, listOffsets[texels]); }
 
 MapInterval collectedInterval(uint place) {
     vec2 times = intervalTimes[place], depths = intervalDepths[place];

@@ -26,7 +26,7 @@ void storeInterval(uint place, MapInterval i) {}
 
 void main() {
     uint place = invocationIndex();
-    if (place >= intervals) return;
+    if (!isInterval(place)) return;
     asking = place;
     uint texel = texelOfInterval(place);
     MapInterval i = collectedInterval(place);

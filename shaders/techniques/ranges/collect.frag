@@ -92,6 +92,7 @@ void main() {
     }
     if (!seenFlat) p.timeSlope = p.rise = vec2(0.0);  // seen edge-on: slopes are not defined
     if (prismMoves == 0u) p.rise = vec2(0.0);         // as in an ordinary map: lit values must not depend on the plan
+    if (slot >= uint(fragmentTimes.length())) return;
     fragmentTimes[slot] = clamp(p.time, 0.0, 1.0);
     fragmentDistances[slot] = p.distance;
     fragmentSlopes[slot] = packedSlopes(p);

@@ -125,7 +125,7 @@ void main() {
     uint texel = invocationIndex();
     if (texel >= texels) return;
     uint first = listOffsets[texel], last = listCursors[texel];
-    if (first == last) return;
+    if (first == last || last >= NO_LIST_SLOT) return;
     if (last - first > longestList) atomicMax(longestList, last - first);
     bool sorted, even;
     inspect(first, last, sorted, even);

@@ -66,7 +66,7 @@ void main() {
 #endif
             ONLY_IF(kept) {
                 uint slot = listSlot(cell);
-                ONLY_IF(filling != 0u) {
+                ONLY_IF(filling != 0u && slot < uint(tupleTimes.length())) {
                     tupleTimes[slot] = vec2(begin, pieceEnd);
                     tupleDepths[slot] = vec2(depth, pieceDepth);
                     tupleIds[slot] = triangleId;
