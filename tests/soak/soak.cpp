@@ -129,6 +129,9 @@ class Soak {
         const std::size_t techniques = techniqueNames_.size(), round = number / (3 * techniques);
         session_.requests.technique = techniqueNames_[number % techniques];
         session_.requests.scene = heavyScenes[number / techniques % 3];
+        // Seconds a picture with some techniques: as a rule each meets it once.
+        if (usualOrAll(round, std::size_t(0)) > 0 && session_.requests.scene == crowdScene)
+            session_.requests.scene = "chess";
         session_.applyRequests();
         for (const Setting& setting : settingsOf(session_.technique.current())) {
             if (round == 1 && setting.isSwitch())

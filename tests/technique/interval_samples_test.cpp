@@ -202,7 +202,7 @@ void expectSameSegments(const std::vector<SeenPart>& a, const std::vector<SeenPa
     EXPECT_LE(different, mostDifferent);
 }
 
-/// Always in the whole picture: where two triangles cross at a shallow angle, rounding shows in some positions of 6,144.
+/// Always in the larger picture: where two triangles cross at a shallow angle, rounding shows in some of 6,144 places.
 TEST_P(IntervalSamplesOf, AreTheSameWithEverythingDynamic) {
     request_.width = 64;
     request_.height = 48;
