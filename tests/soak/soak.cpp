@@ -117,8 +117,8 @@ class Soak {
     }
 
     /// How many first changes go through all that is heavy: memory after them is what the rest is held to. Of each
-    /// technique four in each of three scenes; as a rule two.
-    int warmUp() const { return usualOrAll(2, 4) * 3 * static_cast<int>(techniqueNames_.size()); }
+    /// technique four in each of three scenes.
+    int warmUp() const { return 4 * 3 * static_cast<int>(techniqueNames_.size()); }
 
     /// The `i`th of the first changes: everything at its largest, so that what comes later can't need more unless
     /// something is lost. All techniques, each in the two files and in the case with the longest lists, before any
@@ -336,7 +336,7 @@ int main(int argumentCount, char** arguments) {
     mallopt(M_MMAP_THRESHOLD, 128 * 1024);
     mallopt(M_TRIM_THRESHOLD, 128 * 1024);
     mallopt(M_ARENA_MAX, 1);
-    const int changes = argumentCount > 1 ? std::atoi(arguments[1]) : timeshade::usualOrAll(160, 400);
+    const int changes = argumentCount > 1 ? std::atoi(arguments[1]) : timeshade::usualOrAll(200, 400);
     const double allowedGrowth =
         argumentCount > 3 ? std::atof(arguments[3]) : 2.0;  // per cent of the peak after the warm-up
     return timeshade::run(changes, argumentCount > 2 ? static_cast<std::uint32_t>(std::atoi(arguments[2])) : 1u,
