@@ -62,7 +62,7 @@ class Help(ProgramTest):
     def test_bash_completes(self):
         self.assertEqual(self.completed("timeshade", "sh"), ["shot"])
         self.assertEqual(self.completed("timeshade", "chess", "--tone-map", "f"), ["filmic"])
-        self.assertEqual(self.completed("timeshade", "shot", "oct"), ["octopus"])
+        self.assertEqual(self.completed("timeshade", "shot", "pil"), ["pillars"])
         self.assertEqual(self.completed("timeshade", "shot", "--technique", "ex"), ["exact"])
         self.assertIn("--light-move", self.completed("timeshade", "shot", "--light-"))
         self.assertEqual(self.completed("timeshade", "list", "--light-"), [])
