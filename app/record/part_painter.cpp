@@ -82,7 +82,7 @@ std::optional<DisplayImage> PartPainter::drawn(Technique& technique, const Frame
     renderer_.begin(planner_.plan(request), technique, part_.drawn.view, part_.drawn.techniqueView);
     while (StopSignals::count() == 0) {
         if (!renderer_.step()) continue;
-        renderer_.timer().dropAll();  // nobody asks how long it took
+        renderer_.timer().dropAll();  // a recording states no times
         return renderer_.readPicture();
     }
     return std::nullopt;

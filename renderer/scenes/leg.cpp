@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "scenes/run_cycle.h"
-#include "scenes/runner_body.h"
+#include "scenes/skinned_runner.h"
 #include "scenes/staging.h"
 
 namespace timeshade {
@@ -39,13 +39,7 @@ std::unique_ptr<Scene> Leg::make() {
     parts.defaults = {std::floor(shownStride * pace_), framesPerSecond, 1.0};
     parts.materials = {matt("track", {0.36f, 0.17f, 0.11f}, 0.95f), matt("runner", glm::vec3(1.0f), 0.6f)};
     parts.instances.push_back(ground(groundSide, 0));
-    const RunnerBody& body = runnerBody(0.001 * static_cast<double>(cell_));
-    MeshInstance runner;
-    runner.shape = body.shape;
-    runner.material = 1;
-    runner.flesh = std::make_shared<const Skin>(body.shape, body.influences,
-                                                [=](double seconds) { return runningPose(seconds / pace, track); });
-    parts.instances.push_back(std::move(runner));
+    parts.instances.push_back(skinnedRunner(0.001 * static_cast<double>(cell_), pace, track, 1));
     const double along = shownStride * strideLength;
     const glm::dmat3 heading = track.heading(along);
     const glm::dvec3 here = track.at(along, 0.0);

@@ -4,7 +4,7 @@
 
 #include "scenes/cloth.h"
 #include "scenes/run_cycle.h"
-#include "scenes/runner_body.h"
+#include "scenes/skinned_runner.h"
 #include "scenes/staging.h"
 
 namespace timeshade {
@@ -86,16 +86,6 @@ void addCloths(SceneParts& parts, const Ring& ring, double size, int wavesInAll)
     }
 }
 
-void addRunner(SceneParts& parts, double cell, double pace, const Track& track) {
-    const RunnerBody& body = runnerBody(cell);
-    MeshInstance runner;
-    runner.shape = body.shape;
-    runner.material = 6;
-    runner.flesh = std::make_shared<const Skin>(body.shape, body.influences,
-                                                [=](double seconds) { return runningPose(seconds / pace, track); });
-    parts.instances.push_back(std::move(runner));
-}
-
 }  // namespace
 
 const RecipeDescription& Runner::description() const {
@@ -133,7 +123,7 @@ std::unique_ptr<Scene> Runner::make() {
     addRing(parts, outer, true);
     addRing(parts, inner, false);
     addCloths(parts, outer, static_cast<double>(wind_), static_cast<int>(std::lround(parts.duration / 0.8)));
-    addRunner(parts, 0.001 * static_cast<double>(cell_), pace, track);
+    parts.instances.push_back(skinnedRunner(0.001 * static_cast<double>(cell_), pace, track, 6));
 
     const double along = shownStride * strideLength;
     const glm::dmat3 heading = track.heading(along);

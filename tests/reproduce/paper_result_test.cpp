@@ -4,18 +4,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include "support/temporary_folder.h"
 
 namespace timeshade {
 namespace {
 
 TEST(PaperCharts, AreDrawnOrSayWhyNot) {
     namespace fs = std::filesystem;
-    std::string name = (fs::temp_directory_path() / "timeshade-chart-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    const fs::path paper = name;
+    const test::TemporaryFolder folder;
+    const fs::path& paper = folder.path();
     PaperFigure figure;
     figure.number = "7";
     figure.charts.resize(1);
@@ -38,7 +38,6 @@ TEST(PaperCharts, AreDrawnOrSayWhyNot) {
     EXPECT_EQ(without.charts.front().missing, "times.csv: there is no column watts");
     EXPECT_FALSE(fs::exists(paper / folderOf(figure) / "chart-1.png")) << "that of an earlier run is gone";
     EXPECT_TRUE(without.failed());
-    fs::remove_all(paper);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdlib>
 #include <string_view>
 
@@ -13,7 +14,7 @@ Count usualOrAll(Count usual, Count all) {
     return wanted != nullptr && std::string_view(wanted) == "thorough" ? all : usual;
 }
 
-/// Why a test is skipped otherwise.
-constexpr const char* drawnInThoroughTests = "drawn where TIMESHADE_TESTS=thorough";
+/// Of what a test counts, as a rule every third; all in thorough tests.
+inline bool isDrawn(std::size_t number) { return number % usualOrAll<std::size_t>(3, 1) == 0; }
 
 }  // namespace timeshade

@@ -119,8 +119,7 @@ std::vector<Parameters> formsInCases() {
     std::size_t number = 0;
     for (const std::string& form : forms()) {
         for (const ClosedFormCase& c : closedFormCases())
-            if (c.kind == ClosedFormCase::Kind::Picture && number++ % usualOrAll(3u, 1u) == 0)
-                all.emplace_back(form, c.name);
+            if (c.kind == ClosedFormCase::Kind::Picture && isDrawn(number++)) all.emplace_back(form, c.name);
         ++number;  // others for the next form
     }
     return all;

@@ -66,14 +66,11 @@ Difference differenceOf(const std::string& name, const Settings& settings) {
 
 class IntervalsAlong : public testing::TestWithParam<const char*> {
   protected:
-    /// As a rule each scene is drawn with one of the three settings.
-    bool isDrawn(std::size_t number) const {
-        return usualOrAll((number + std::string(GetParam()).size()) % 3 == 0, true);
-    }
-
     /// Most of it is the noise of the instants. In "quads" the light grazes the faces of bent quads, which shadow each
     /// other texel by texel: there is more of it, and chords of the receivers' ways show.
-    void expectAlike(const Settings& settings) {
+    /// As a rule each scene is drawn with one of the three settings.
+    void expectAlike(std::size_t number, const Settings& settings) {
+        if (!isDrawn(number + std::string(GetParam()).size())) GTEST_SKIP() << "drawn where TIMESHADE_TESTS=thorough";
         const Difference found = differenceOf(GetParam(), settings);
         const double scale = GetParam() == std::string("quads") ? 2.0 : 1.0;
         EXPECT_LE(std::abs(found.mean), 0.0004 * scale);
@@ -82,19 +79,12 @@ class IntervalsAlong : public testing::TestWithParam<const char*> {
     }
 };
 
-TEST_P(IntervalsAlong, AreTheMeanOfInstants) {
-    if (!isDrawn(0)) GTEST_SKIP() << drawnInThoroughTests;
-    expectAlike({});
-}
+TEST_P(IntervalsAlong, AreTheMeanOfInstants) { expectAlike(0, {}); }
 
-TEST_P(IntervalsAlong, AreTheMeanOfInstantsFiltered) {
-    if (!isDrawn(1)) GTEST_SKIP() << drawnInThoroughTests;
-    expectAlike({{"bilinear", "on"}});
-}
+TEST_P(IntervalsAlong, AreTheMeanOfInstantsFiltered) { expectAlike(1, {{"bilinear", "on"}}); }
 
 TEST_P(IntervalsAlong, AsPublishedAreTheMeanOfInstants) {
-    if (!isDrawn(2)) GTEST_SKIP() << drawnInThoroughTests;
-    expectAlike({{"as_published", "on"}, {"least_points", "256"}});
+    expectAlike(2, {{"as_published", "on"}, {"least_points", "256"}});
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, IntervalsAlong,
