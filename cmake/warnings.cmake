@@ -5,6 +5,7 @@ target_compile_options(timeshade_options INTERFACE
   $<$<BOOL:${TIMESHADE_WARNINGS_ARE_ERRORS}>:-Werror>
   # GCC 12 sees overlaps in std::string where there are none (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  $<$<CXX_COMPILER_ID:GNU>:${TIMESHADE_PRECOMPILED_WARNINGS}>
   # Of macros of GoogleTest that are given no further arguments.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-gnu-zero-variadic-macro-arguments>
   # The shared numerics must give the same bits in C++ as in GLSL: no contraction of a*b+c into one rounding.

@@ -16,7 +16,7 @@ gpu_check.sh [OPTIONS]
   --scenes A,B,...    (default: chess,octopus,pillars,cubes)
   --device N          EGL device (default: as the program chooses)
   --allow-software    a software renderer will do
-  --small             all pictures 96x72, map 96, 2 rounds: to try this script
+  --small             all pictures 96x72, map 96, 2 rounds, cases of two techniques: to try this script
 END
 }
 
@@ -95,7 +95,9 @@ if grep -q '"software": true' "$output/first.json" && [[ $software == no ]]; the
 fi
 step devices timeshade list --devices
 
-step cases timeshade cases --gl-debug
+in_cases=()
+[[ $small == yes ]] && in_cases=(--techniques tsm,exact)
+step cases timeshade cases --gl-debug "${in_cases[@]}"
 
 techniques=$("$program" list --json | sed -n '/"techniques"/,$ s/^      "name": "\([a-z]*\)",$/\1/p')
 IFS=, read -ra names <<<"$scenes"

@@ -83,9 +83,13 @@ void PassTimer::recycle(const Frame& frame) {
             if (query != 0) freeQueries_.push_back(query);
 }
 
-std::optional<std::vector<PassTimer::Reading>> PassTimer::endFrame() {
+void PassTimer::closeFrame() {
     pending_.push_back(std::move(current_));
     current_.clear();
+}
+
+std::optional<std::vector<PassTimer::Reading>> PassTimer::endFrame() {
+    closeFrame();
     return arrived();
 }
 
@@ -117,8 +121,7 @@ void PassTimer::dropAll() {
 }
 
 std::vector<PassTimer::Reading> PassTimer::finishFrame() {
-    pending_.push_back(std::move(current_));
-    current_.clear();
+    closeFrame();
     if (clock_ == Clock::Timestamps && !pending_.back().empty()) countWait();
     const std::vector<Reading> readings = read(pending_.back());
     for (const Frame& frame : pending_) recycle(frame);

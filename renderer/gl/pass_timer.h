@@ -52,9 +52,9 @@ class PassTimer {
     std::optional<std::vector<Reading>> arrived();
     /// Figures of closed frames are still on their way.
     bool awaits() const { return !pending_.empty(); }
-    /// Nobody wants to know of the frame that is not closed yet.
+    /// Gives up the figures of the frame that is not closed yet.
     void dropFrame();
-    /// Nor of any before.
+    /// Gives up those of all frames.
     void dropAll();
 
   private:
@@ -66,6 +66,7 @@ class PassTimer {
     };
     using Frame = std::vector<Step>;
     GLuint timestamp();
+    void closeFrame();
     std::vector<Reading> read(const Frame& frame);
     void recycle(const Frame& frame);
 

@@ -7,7 +7,7 @@ import json
 import os
 import unittest
 
-from program import Picture, ProgramTest, environment
+from program import Picture, ProgramTest, environment, in_thorough_tests
 
 SMALL = ("--size", "64x48", "--map", "64", "--spp", "2", "--rounds", "2", "--sequence", "1", "--reference", "2",
          "--reference-rays", "64")
@@ -78,6 +78,7 @@ class Equal(ProgramTest):
                    for y in range(48) for x in range(64))
         self.assertGreater(same, 64 * 48 - 70, "all but the outline of the detail")
 
+    @in_thorough_tests
     def test_several_maps_and_scenes(self):
         rows, report = self.measure("rising", "frusta", "--equal-time", "static,static", *SMALL, "--maps", "32,128")
         self.assertEqual([(r["scene"], r["map"]) for r in rows[::2]], [("rising", "64"), ("frusta", "64")])

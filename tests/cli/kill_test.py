@@ -1,6 +1,7 @@
 """Runs that are killed at any moment: the same command afterwards gives what it gives without, and leaves nothing else.
 
-Twelve kills; as many as TIMESHADE_KILLS says, of the seed TIMESHADE_KILL_SEED, by hand.
+As a rule six kills, twelve in thorough tests; as many as TIMESHADE_KILLS says, of the seed TIMESHADE_KILL_SEED, by
+hand.
 """
 
 import csv
@@ -13,9 +14,9 @@ import tempfile
 import time
 import unittest
 
-from program import PROGRAM, QUICK, ProgramTest, environment
+from program import PROGRAM, QUICK, THOROUGH, ProgramTest, environment
 
-KILLS = int(os.environ.get("TIMESHADE_KILLS", "12"))
+KILLS = int(os.environ.get("TIMESHADE_KILLS", "12" if THOROUGH else "6"))
 SEED = int(os.environ.get("TIMESHADE_KILL_SEED", "1"))
 COMMANDS = {
     "shot": ("shot", "chess", "-o", "F.png", *QUICK, "--json", "F.json"),

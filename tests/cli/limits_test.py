@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from program import QUICK, TECHNIQUES, ProgramTest, environment
+from program import QUICK, TECHNIQUES, ProgramTest, environment, in_thorough_tests
 
 
 class WorkGroups(ProgramTest):
@@ -30,6 +30,7 @@ class WorkGroups(ProgramTest):
         self.assertGreater(report["tested"], 1000)
         return report["ppm"]
 
+    @in_thorough_tests
     def test_large_maps_and_long_lists_are_right_or_refused(self):
         """65,536 work groups and more: a map of 2048 texels a side, and 240,000 triangles in 32 buckets of time."""
         small = self.wrong_ppm("--technique", "ranges", "--map", "1024")

@@ -19,6 +19,14 @@ COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube",
             "octopus-fine", "tree", "leg", "runner")
 
 
+in_thorough_tests = unittest.skipUnless(THOROUGH, "drawn where TIMESHADE_TESTS=thorough")
+
+
+def drawn(values, other=0):
+    """As a rule every third, with `other` those beside it; all where TIMESHADE_TESTS=thorough."""
+    return values if THOROUGH else values[other % 3::3]
+
+
 def listed_techniques():
     """Names of the techniques that the program has, in its order."""
     if not PROGRAM:

@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, QUICK, FileBytes, Picture, ProgramTest, environment
+from program import PROGRAM, QUICK, FileBytes, Picture, ProgramTest, environment, in_thorough_tests
 
 SMALL = ("--size", "160x96", "--map", "64", "--spp", "2", "--set", "accumulation.renders=2", "--set",
          "history.warm_up=2")
@@ -132,6 +132,7 @@ class Videos(RecordTest):
         self.assertNotEqual(FileBytes(pictures[0].rgb[half:]), FileBytes(bare.rgb[half:]))
 
 
+    @in_thorough_tests
     def test_the_demo_script(self):
         """One frame of every part; every technique is in it."""
         script = json.loads((pathlib.Path(__file__).parents[2] / "assets/demo.json").read_text())
@@ -269,6 +270,8 @@ class WhatGoesWrong(RecordTest):
 
     def test_stopped_by_a_signal(self):
         """The file that it leaves holds as many frames as it says."""
+        self.succeed(*self.ASKED[:-1], "1")  # compiles what is found compiled below
+        os.unlink(self.folder / "F.mp4")
         for name in ("SIGINT", "SIGTERM"):
             for seconds in (1.0, 5.0, 25.0):  # until a frame is there, however busy the machine
                 errors = self.errors_of_stopped(name, seconds)

@@ -14,7 +14,7 @@ Count usualOrAll(Count usual, Count all) {
     return wanted != nullptr && std::string_view(wanted) == "thorough" ? all : usual;
 }
 
-/// Of what a test counts, as a rule every third; all in thorough tests.
-inline bool isDrawn(std::size_t number) { return number % usualOrAll<std::size_t>(3, 1) == 0; }
+/// Of what a test counts, as a rule one of so many; all in thorough tests.
+inline bool isDrawn(std::size_t number, std::size_t of = 3) { return number % usualOrAll<std::size_t>(of, 1) == 0; }
 
 }  // namespace timeshade

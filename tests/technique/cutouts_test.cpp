@@ -14,6 +14,7 @@
 #include "measure/reference_technique.h"
 #include "measure/verification.h"
 #include "support/cutout_scene.h"
+#include "support/drawn_here.h"
 #include "support/gl_environment.h"
 #include "support/lit_centres.h"
 #include "support/thorough.h"
@@ -36,7 +37,10 @@ struct Named {
     CutoutSceneOptions options;
 };
 
-class Cutouts : public testing::TestWithParam<Named> {};
+class Cutouts : public testing::TestWithParam<Named> {
+  protected:
+    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
+};
 
 /// Not more than 10 in a million, of the camera's triangles none but where a float's rounding decides.
 TEST_P(Cutouts, ExactAgreesWithTheOracle) {
@@ -95,7 +99,10 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
     return all;
 }
 
-class CutoutsOf : public testing::TestWithParam<std::string> {};
+class CutoutsOf : public testing::TestWithParam<std::string> {
+  protected:
+    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
+};
 
 /// With these switches on. Null where it has no such switch.
 std::unique_ptr<Technique> made(const std::string& name, const std::string& switches) {

@@ -11,6 +11,7 @@
 #include "passes/candidate_grid.h"
 #include "scene_catalogue.h"
 #include "support/crowded_scene.h"
+#include "support/drawn_here.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "techniques/registry.h"
@@ -73,7 +74,10 @@ std::size_t statisticOf(const Technique& exact, const std::string& name) {
         })->value);
 }
 
-class ExactLists : public testing::TestWithParam<CrowdedSceneOptions> {};
+class ExactLists : public testing::TestWithParam<CrowdedSceneOptions> {
+  protected:
+    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
+};
 
 /// Triangles are culled only where they cannot change a picture.
 TEST_P(ExactLists, CullOnlyWhatMakesNoDifference) {

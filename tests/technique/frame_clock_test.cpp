@@ -5,6 +5,7 @@
 #include "frame/warm_up.h"
 #include "measure/frame_clock.h"
 #include "scene_catalogue.h"
+#include "support/drawn_here.h"
 #include "support/gl_environment.h"
 #include "support/no_drawing.h"
 #include "support/thorough.h"
@@ -27,6 +28,8 @@ FrameRequest smallRequest() {
 
 class Clocks : public testing::TestWithParam<std::string> {
   protected:
+    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
+
     std::unique_ptr<Technique> make(FrameRenderer& renderer) const {
         std::unique_ptr<Technique> technique = makeTechnique(GetParam(), renderer.programs());
         if (technique->renders() > 1) setFromText(*technique, "renders", "4");
@@ -101,7 +104,7 @@ TEST(FrameClock, ProgramsOfAllTechniquesInASceneAreCompiledOnce) {
     const NoDrawing linkingIsEnough;
     FrameRenderer renderer;
     const std::vector<BuiltInScene>& scenes = builtInScenes();
-    for (std::size_t i = 0; i < scenes.size(); i += usualOrAll<std::size_t>(3, 1)) {
+    for (std::size_t i = 0; i < scenes.size(); i += usualOrAll<std::size_t>(9, 1)) {
         const std::unique_ptr<Scene> scene = openScene(scenes[i].name, "",
                                                        {{"cubes.count", "50"},
                                                         {"frusta.rows", "4"},

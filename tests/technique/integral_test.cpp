@@ -10,6 +10,7 @@
 #include "oracle/oracle.h"
 #include "scene_catalogue.h"
 #include "shared/segment_triangle.shared.h"
+#include "support/drawn_here.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "support/shadowed_times.h"
@@ -152,7 +153,10 @@ struct Moment {
     const char* scene;
     double frame;
 };
-class Integral : public testing::TestWithParam<Moment> {};
+class Integral : public testing::TestWithParam<Moment> {
+  protected:
+    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
+};
 
 TEST_P(Integral, IsTheUnionInDoublePrecision) {
     const std::unique_ptr<Scene> scene = openScene(GetParam().scene, "");

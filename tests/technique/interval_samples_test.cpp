@@ -14,6 +14,7 @@
 #include "scene_catalogue.h"
 #include "shared/sample_pattern.shared.h"
 #include "support/crowded_scene.h"
+#include "support/drawn_here.h"
 #include "support/gl_environment.h"
 #include "support/moving_scene.h"
 #include "support/shader_copy.h"
@@ -75,6 +76,8 @@ std::unique_ptr<Scene> sceneOf(const std::string& name) {
 
 class IntervalSamplesOf : public testing::TestWithParam<std::string> {
   protected:
+    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
+
     std::unique_ptr<Scene> scene_ = sceneOf(GetParam());
     FrameRequest request_ = requestOf(*scene_, intervalRequest());
 };

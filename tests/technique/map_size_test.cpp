@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/procedural_scene.h"
+#include "support/drawn_here.h"
 #include "support/gl_environment.h"
 #include "techniques/registry.h"
 
@@ -67,7 +68,10 @@ std::vector<float> visibilityOf(const Form& form, const MapSize& size) {
     return sharedRenderer().readVisibility();
 }
 
-class MapSizes : public testing::TestWithParam<Form> {};
+class MapSizes : public testing::TestWithParam<Form> {
+  protected:
+    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
+};
 
 TEST_P(MapSizes, RowsDoNotMatterWhereColumnsDecide) {
     const std::vector<float> square = visibilityOf(GetParam(), 1024);

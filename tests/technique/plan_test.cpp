@@ -10,6 +10,7 @@
 #include "cases/procedural_scene.h"
 #include "scene_catalogue.h"
 #include "support/awkward_numbers.h"
+#include "support/drawn_here.h"
 #include "support/eventful_scene.h"
 #include "support/gl_environment.h"
 #include "support/has_setting.h"
@@ -126,7 +127,10 @@ std::uint32_t seedOf(const std::string& name) {
     return seed;
 }
 
-class PlanOfTechnique : public testing::TestWithParam<std::string> {};
+class PlanOfTechnique : public testing::TestWithParam<std::string> {
+  protected:
+    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
+};
 
 /// Up to 36 sequences of 6 frames for each technique. Where two differ, rounding decided: a texel whose centre lies
 /// on an edge, a depth that nearly equals the receiver's.

@@ -21,7 +21,7 @@ RAYS = {"chess": 128, "octopus": 128, "pillars": 128, "cubes": 128, "ball": 128}
 # Of many triangles, which take long: every second row, and only with TIMESHADE_TESTS=thorough.
 HEAVY = {"octopus-fine": 64, "tree": 64, "leg": 64, "runner": 64}
 CACHE = tempfile.TemporaryDirectory()
-# As a rule every fourth row is drawn anew; all with TIMESHADE_TESTS=thorough, as .ci/run has it.
+# As a rule every eighth row is drawn anew; all with TIMESHADE_TESTS=thorough, as .ci/run has it.
 THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
 
 
@@ -32,9 +32,9 @@ def rows_of(header):
 
 
 def drawn_anew(rows, of_each_scene=1):
-    """Those that are checked: every fourth, which is every technique once where all scenes have all."""
+    """Those that are checked: every eighth, of each scene others."""
     return [row for number, row in enumerate(rows)
-            if THOROUGH or (number % of_each_scene + number // of_each_scene) % 4 == 0]
+            if THOROUGH or (number % of_each_scene + number // of_each_scene) % 8 == 0]
 
 
 @functools.lru_cache(maxsize=None)

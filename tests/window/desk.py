@@ -339,6 +339,10 @@ class Window:
         return self.process.wait(timeout=30)
 
 
+THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
+in_thorough_tests = unittest.skipUnless(THOROUGH, "drawn where TIMESHADE_TESTS=thorough")
+
+
 class WindowTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

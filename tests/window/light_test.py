@@ -3,7 +3,7 @@
 import pathlib
 import sys
 
-from desk import PANEL_WIDTH, QUICK, WindowTest, headless, pixels, run_tests, shown
+from desk import PANEL_WIDTH, QUICK, WindowTest, headless, in_thorough_tests, pixels, run_tests, shown
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 from box_model import box_model  # noqa: E402  pylint: disable=wrong-import-position
@@ -73,6 +73,7 @@ class LightAndGround(WindowTest):
         self.assertEqual(self.picture(window) == changed, True, "from the file")
         self.close(window)
 
+    @in_thorough_tests
     def test_another_scene_has_its_own(self):
         window = self.open_box()
         window.drag_slider("light.azimuth", 0.8)

@@ -5,10 +5,11 @@ import re
 import shutil
 import tempfile
 
-from desk import QUICK, WindowTest, headless, pixels, run_tests, shown
+from desk import QUICK, WindowTest, headless, in_thorough_tests, pixels, run_tests, shown
 
 
 class Partners(WindowTest):
+    @in_thorough_tests
     def test_the_ground_truth_and_a_file(self):
         cache = tempfile.mkdtemp(prefix="timeshade-cache-")
         self.addCleanup(shutil.rmtree, cache, ignore_errors=True)

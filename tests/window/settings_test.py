@@ -7,13 +7,14 @@ import struct
 import sys
 import tempfile
 
-from desk import PANEL_WIDTH, QUICK, WindowTest, headless, pixels, run_tests, shown
+from desk import PANEL_WIDTH, QUICK, WindowTest, headless, in_thorough_tests, pixels, run_tests, shown
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 from slow_model import slow_model  # noqa: E402  pylint: disable=wrong-import-position
 
 
 class Layout(WindowTest):
+    @in_thorough_tests
     def test_it_survives_from_run_to_run(self):
         folder = pathlib.Path(tempfile.mkdtemp(prefix="timeshade-config-"))
         self.addCleanup(shutil.rmtree, folder, ignore_errors=True)
@@ -254,6 +255,7 @@ class Settings(WindowTest):
         self.assertGreater(window.look_at_picture().share_different(picture), 0.3)
         self.close(window)
 
+    @in_thorough_tests
     def test_more_than_the_device_has(self):
         """16 GiB of maps. Where that fails it is said, and everything goes on from there."""
         window = self.open("pillars", "--technique", "tsm", *QUICK, "--map", "8192", "--spp", "32", "--set",

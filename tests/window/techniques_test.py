@@ -6,7 +6,7 @@ import shutil
 import tempfile
 import time
 
-from desk import PANEL_WIDTH, QUICK, WindowTest, headless, pixels, run_tests, shown
+from desk import PANEL_WIDTH, QUICK, THOROUGH, WindowTest, headless, in_thorough_tests, pixels, run_tests, shown
 
 SCENES = ("chess", "octopus", "pillars")
 # A history learns from many frames before the first: what is looked at here does not depend on how many.
@@ -208,9 +208,10 @@ class Magnifier(WindowTest):
                            "--frame", "12", "--size", "640x430", *SHORT_HISTORY)
         self.check_samples(window)
         self.check_values_between(window)
-        window.choose("scene", "foliage")
-        window.settle(scene="foliage")
-        self.check_cut_out(window)
+        if THOROUGH:
+            window.choose("scene", "foliage")
+            window.settle(scene="foliage")
+            self.check_cut_out(window)
         self.close(window)
 
     def check_samples(self, window):
@@ -293,6 +294,7 @@ class Shaders(WindowTest):
 
 
 class Accuracy(WindowTest):
+    @in_thorough_tests
     def test_live_point_and_equal_time(self):
         cache = tempfile.mkdtemp(prefix="timeshade-cache-")
         self.addCleanup(shutil.rmtree, cache, ignore_errors=True)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gl/counted_draw.h"
 #include "gl/dispatch.h"
 #include "gl/read_back.h"
 #include "gl/uploads.h"
@@ -53,38 +54,20 @@ void LinkedRanges::build(const TechniqueFrame& frame, const LightMotion& motion)
             fragmentList_.reserve(std::max<std::size_t>(fragments, 1), advice);
             return fragmentList_.capacity();
         };
-        if (frame.counts.later() && foreseen_->known()) {
-            fragments_ = foreseen_->makeRoom(makeRoom);
-            collect(frame);
-            frame.counts.expect(counts_, 0, fragments_, foreseen_);
-        } else {
-            collectAll(frame, makeRoom);
-        }
+        const auto draw = [&](std::size_t room) { collect(frame, room); };
+        fragments_ = gl::drawCounted(frame.counts, {counts_, foreseen_, fragments_, makeRoom, draw});
     }
     const auto timed = frame.timer.scope("build/generate");
     rangeList_.reserve(std::max<std::size_t>(fragments_ / 2, 1) * LINKED_INTERVAL_WORDS, advice);
     generate();
 }
 
-/// With as much room as the last frame had, and again where there is more.
-void LinkedRanges::collectAll(const TechniqueFrame& frame, const gl::MakeRoom& makeRoom) {
-    for (;;) {
-        const std::size_t room = makeRoom(std::min(fragments_, capacity_));
-        collect(frame);
-        fragments_ = gl::readElement<DeviceCounts>(counts_).fragments;
-        foreseen_->note(fragments_);
-        if (fragments_ <= room) return;
-        capacity_ = fragments_;
-    }
-}
-
-void LinkedRanges::collect(const TechniqueFrame& frame) {
+void LinkedRanges::collect(const TechniqueFrame& frame, std::size_t room) {
     const MapSize size = frame.plan.request.mapSize;
     const GLuint none = NO_INTERVAL;
     const DeviceCounts zero;
     glClearNamedBufferData(heads_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     glNamedBufferSubData(counts_.name(), 0, sizeof zero, &zero);
-    capacity_ = fragmentList_.bytes() / bytesPerFragment;
     heads_.bindForWriting(LINKED_HEADS_BINDING);
     fragmentList_.bindForWriting(LINKED_FRAGMENTS_BINDING);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LINKED_COUNTS_BINDING, counts_.name());
@@ -99,9 +82,8 @@ void LinkedRanges::collect(const TechniqueFrame& frame) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     target_.bindForDrawing(size.width, size.height);
-    program.use(gl::Inputs()
-                    .texture("prismTriangles", triangles_.texels())
-                    .set("capacity", static_cast<std::uint32_t>(capacity_)));
+    program.use(
+        gl::Inputs().texture("prismTriangles", triangles_.texels()).set("capacity", static_cast<std::uint32_t>(room)));
     glBindVertexArray(none_.name());
     if (prisms_ > 0) glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(prisms_));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -29,8 +29,7 @@ class LinkedRanges final : public RangeLists {
     std::size_t bytes() const override;
 
   private:
-    void collectAll(const TechniqueFrame& frame, const gl::MakeRoom& makeRoom);
-    void collect(const TechniqueFrame& frame);
+    void collect(const TechniqueFrame& frame, std::size_t room);
     void generate();
 
     gl::ProgramCache& programs_;
@@ -38,7 +37,7 @@ class LinkedRanges final : public RangeLists {
     gl::Buffer counts_;
     gl::VertexArray none_;
     gl::Framebuffer target_;
-    std::size_t texels_ = 0, capacity_ = 0, prisms_ = 0, fragments_ = 0;  ///< at most
+    std::size_t texels_ = 0, prisms_ = 0, fragments_ = 0;  ///< at most
     std::shared_ptr<gl::ForeseenCount> foreseen_ = std::make_shared<gl::ForeseenCount>();
 };
 

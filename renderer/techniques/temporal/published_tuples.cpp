@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gl/counted_draw.h"
 #include "gl/read_back.h"
 #include "shared/linked_intervals.shared.h"
 #include "technique/linked_interval_marks.h"
@@ -47,15 +48,12 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
     glNamedFramebufferParameteri(target_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, size.height);
     glDisable(GL_DEPTH_TEST);
     heads_.reserve(texels_, "lower --map");
-    // How many there will be is known once they have been drawn: draw again where the room was too small.
     const auto makeRoom = [&](std::size_t tuples) {
         tuples_.reserve(std::max<std::size_t>(tuples, 1) * LINKED_INTERVAL_WORDS,
                         "the lists of tuples are too long: lower --map");
         return tuples_.capacity() / LINKED_INTERVAL_WORDS;
     };
-    for (std::size_t wanted = count_;;) {
-        const bool later = frame.counts.later() && foreseen_->known();
-        const std::size_t room = later ? foreseen_->makeRoom(makeRoom) : makeRoom(wanted);
+    const auto draw = [&](std::size_t room) {
         const GLuint nothing = NO_INTERVAL;
         glClearNamedBufferData(heads_.buffer().name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &nothing);
         const DeviceCounts zero;
@@ -67,11 +65,8 @@ void PublishedTuples::build(const TechniqueFrame& frame, const std::vector<std::
         covers_.draw(programs_, "techniques/temporal/published_tuples.frag", defines,
                      gl::Inputs(inputs).set("capacity", static_cast<std::uint32_t>(room)));
         glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        if (later) return frame.counts.expect(counts_, 0, room, foreseen_);
-        wanted = count_ = gl::readElement<DeviceCounts>(counts_).tuples;
-        foreseen_->note(count_);
-        if (count_ <= room) return;
-    }
+    };
+    count_ = gl::drawCounted(frame.counts, {counts_, foreseen_, count_, makeRoom, draw});
 }
 
 void PublishedTuples::addInputs(gl::Inputs& inputs) const {
