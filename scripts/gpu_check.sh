@@ -16,11 +16,13 @@ gpu_check.sh [OPTIONS]
   --scenes A,B,...    (default: chess,octopus,pillars,cubes)
   --device N          EGL device (default: as the program chooses)
   --allow-software    a software renderer will do
-  --small             all pictures 96x72, map 96, 2 rounds, cases of two techniques: to try this script
+  --small             all pictures 96x72, map 96, 2 rounds, cases of two techniques, times of 4 samples and two frames:
+                      to try this script
 END
 }
 
 program="" output=gpu_check size=1280x720 map=1024 rounds=5 scenes=chess,octopus,pillars,cubes software=no small=no
+spps=4,8 sequence=8
 device=()
 
 fail() {
@@ -46,7 +48,7 @@ while (($# > 0)); do
 done
 
 if [[ $small == yes ]]; then
-    size=96x72 map=96 rounds=2
+    size=96x72 map=96 rounds=2 spps=4 sequence=2
 fi
 
 if [[ -z $program ]]; then
@@ -111,8 +113,8 @@ for scene in "${names[@]}"; do
     done
 done
 
-step times timeshade measure "${names[@]}" --times --size "$size" --map "$map" --maps "$map" --spps 4,8 \
-    --rounds "$rounds" --sequence 8 -o "$output/times"
+step times timeshade measure "${names[@]}" --times --size "$size" --map "$map" --maps "$map" --spps "$spps" \
+    --rounds "$rounds" --sequence "$sequence" -o "$output/times"
 
 # Beside what papers report of their machines: NAME PICTURE MAP, scenes, and further arguments.
 as_in_paper() {
