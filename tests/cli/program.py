@@ -7,24 +7,19 @@ import pathlib
 import shutil
 import struct
 import subprocess
+import sys
 import tempfile
 import unittest
 import zlib
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from thorough import THOROUGH, drawn, in_thorough_tests  # noqa: E402
+
 PROGRAM = os.environ.get("TIMESHADE", "")
-# Of what is tested many times over, all: as .ci/run has it.
-THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
 SCENES = ("chess", "octopus", "pillars")  # those that are files
 COMPUTED = ("cubes", "rising", "frusta", "sphere", "crossing", "depths", "cube", "foliage", "ball",
             "octopus-fine", "tree", "leg", "runner")
-
-
-in_thorough_tests = unittest.skipUnless(THOROUGH, "drawn where TIMESHADE_TESTS=thorough")
-
-
-def drawn(values, other=0):
-    """As a rule every third, with `other` those beside it; all where TIMESHADE_TESTS=thorough."""
-    return values if THOROUGH else values[other % 3::3]
 
 
 def listed_techniques():

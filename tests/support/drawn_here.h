@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -9,18 +8,20 @@
 
 namespace timeshade {
 
-/// For the begin of a test in a suite with values: whether it is drawn for its value. As a rule for about every third,
-/// others in another test; for all where TIMESHADE_TESTS=thorough. By the names alone (FNV-1a): one more scene or
-/// technique decides nothing about the others.
-inline bool isDrawnHere() {
-    std::uint32_t hash = 2166136261u;
-    for (const char* c = testing::UnitTest::GetInstance()->current_test_info()->name(); *c != '\0'; ++c)
-        hash = (hash ^ static_cast<unsigned char>(*c)) * 16777619u;
-    return isDrawn(hash >> 8);
-}
+/// A suite with three values or more, of which each test is as a rule drawn for every third, others than a test whose
+/// name is one letter longer; for all where TIMESHADE_TESTS=thorough.
+template <typename Value>
+class DrawnHere : public testing::TestWithParam<Value> {
+  protected:
+    void SetUp() override {
+        const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+        const testing::TestSuite& suite = *all.current_test_suite();
+        const std::string name = all.current_test_info()->name(), test = name.substr(0, name.find('/') + 1);
+        std::size_t number = test.size();
+        for (int i = 0; suite.GetTestInfo(i)->name() != name; ++i)
+            if (std::string(suite.GetTestInfo(i)->name()).rfind(test, 0) == 0) ++number;
+        if (!isDrawn(number)) GTEST_SKIP() << "drawn where TIMESHADE_TESTS=thorough";
+    }
+};
 
 }  // namespace timeshade
-
-/// Ends the test where it is not drawn.
-#define TIMESHADE_DRAWN_HERE() \
-    if (!::timeshade::isDrawnHere()) GTEST_SKIP() << "drawn where TIMESHADE_TESTS=thorough"

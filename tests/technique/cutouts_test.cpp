@@ -37,10 +37,7 @@ struct Named {
     CutoutSceneOptions options;
 };
 
-class Cutouts : public testing::TestWithParam<Named> {
-  protected:
-    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
-};
+class Cutouts : public DrawnHere<Named> {};
 
 /// Not more than 10 in a million, of the camera's triangles none but where a float's rounding decides.
 TEST_P(Cutouts, ExactAgreesWithTheOracle) {
@@ -99,10 +96,7 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
     return all;
 }
 
-class CutoutsOf : public testing::TestWithParam<std::string> {
-  protected:
-    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
-};
+class CutoutsOf : public DrawnHere<std::string> {};
 
 /// With these switches on. Null where it has no such switch.
 std::unique_ptr<Technique> made(const std::string& name, const std::string& switches) {

@@ -74,10 +74,7 @@ std::size_t statisticOf(const Technique& exact, const std::string& name) {
         })->value);
 }
 
-class ExactLists : public testing::TestWithParam<CrowdedSceneOptions> {
-  protected:
-    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
-};
+class ExactLists : public DrawnHere<CrowdedSceneOptions> {};
 
 /// Triangles are culled only where they cannot change a picture.
 TEST_P(ExactLists, CullOnlyWhatMakesNoDifference) {

@@ -26,10 +26,8 @@ FrameRequest smallRequest() {
     return request;
 }
 
-class Clocks : public testing::TestWithParam<std::string> {
+class Clocks : public DrawnHere<std::string> {
   protected:
-    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
-
     std::unique_ptr<Technique> make(FrameRenderer& renderer) const {
         std::unique_ptr<Technique> technique = makeTechnique(GetParam(), renderer.programs());
         if (technique->renders() > 1) setFromText(*technique, "renders", "4");

@@ -153,10 +153,7 @@ struct Moment {
     const char* scene;
     double frame;
 };
-class Integral : public testing::TestWithParam<Moment> {
-  protected:
-    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
-};
+class Integral : public DrawnHere<Moment> {};
 
 TEST_P(Integral, IsTheUnionInDoublePrecision) {
     const std::unique_ptr<Scene> scene = openScene(GetParam().scene, "");

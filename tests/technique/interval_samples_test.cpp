@@ -74,10 +74,8 @@ std::unique_ptr<Scene> sceneOf(const std::string& name) {
     return openScene(name, "");
 }
 
-class IntervalSamplesOf : public testing::TestWithParam<std::string> {
+class IntervalSamplesOf : public DrawnHere<std::string> {
   protected:
-    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
-
     std::unique_ptr<Scene> scene_ = sceneOf(GetParam());
     FrameRequest request_ = requestOf(*scene_, intervalRequest());
 };

@@ -68,10 +68,7 @@ std::vector<float> visibilityOf(const Form& form, const MapSize& size) {
     return sharedRenderer().readVisibility();
 }
 
-class MapSizes : public testing::TestWithParam<Form> {
-  protected:
-    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
-};
+class MapSizes : public DrawnHere<Form> {};
 
 TEST_P(MapSizes, RowsDoNotMatterWhereColumnsDecide) {
     const std::vector<float> square = visibilityOf(GetParam(), 1024);

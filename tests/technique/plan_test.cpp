@@ -127,10 +127,7 @@ std::uint32_t seedOf(const std::string& name) {
     return seed;
 }
 
-class PlanOfTechnique : public testing::TestWithParam<std::string> {
-  protected:
-    void SetUp() override { TIMESHADE_DRAWN_HERE(); }
-};
+class PlanOfTechnique : public DrawnHere<std::string> {};
 
 /// Up to 36 sequences of 6 frames for each technique. Where two differ, rounding decided: a texel whose centre lies
 /// on an edge, a depth that nearly equals the receiver's.

@@ -6,13 +6,17 @@ usage: commands_test.py PROGRAM SOURCE_FOLDER
 import csv
 import json
 import os
+import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from thorough import THOROUGH  # noqa: E402
+
 PROGRAM = sys.argv[1]
-THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
 SMALL = ["--size", "160x120", "--spp", "2", "--map", "256"]
 VERIFY = [*SMALL, "--reference-rays", "64"]
 SAMPLES_ALONE = [*SMALL, "--reference-rays", "0"]

@@ -12,6 +12,10 @@ import sys
 import tempfile
 import unittest
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from thorough import THOROUGH  # noqa: E402
+
 PROGRAM = sys.argv[1]
 README = (pathlib.Path(sys.argv[2]) / "README.md").read_text()
 # Other processors round otherwise: a few samples on edges, and a share of many.
@@ -21,8 +25,6 @@ RAYS = {"chess": 128, "octopus": 128, "pillars": 128, "cubes": 128, "ball": 128}
 # Of many triangles, which take long: every second row, and only with TIMESHADE_TESTS=thorough.
 HEAVY = {"octopus-fine": 64, "tree": 64, "leg": 64, "runner": 64}
 CACHE = tempfile.TemporaryDirectory()
-# As a rule every eighth row is drawn anew; all with TIMESHADE_TESTS=thorough, as .ci/run has it.
-THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
 
 
 def rows_of(header):

@@ -11,6 +11,10 @@ import tempfile
 import time
 import unittest
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from thorough import THOROUGH, in_thorough_tests  # noqa: E402
+
 PROGRAM = os.environ.get("TIMESHADE", "")
 TOOLS = ("Xvfb", "xdotool", "convert")
 SCREEN = (1600, 1000)
@@ -337,10 +341,6 @@ class Window:
     def quit(self):
         self.hand("key", "ctrl+q")
         return self.process.wait(timeout=30)
-
-
-THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
-in_thorough_tests = unittest.skipUnless(THOROUGH, "drawn where TIMESHADE_TESTS=thorough")
 
 
 class WindowTest(unittest.TestCase):
