@@ -18,10 +18,14 @@ if ((${#targets[@]} == 0)); then
 fi
 
 cd "$root"
-cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz >/dev/null
 build=$root/build/fuzz
 mkdir -p "$build/seeds/model" "$build/failures"
+for step in "cmake --preset fuzz" "cmake --build --preset fuzz"; do
+    if ! $step >"$build/build.log" 2>&1; then
+        tail -n 60 "$build/build.log" >&2
+        exit 1
+    fi
+done
 "$build/tests/fuzz/fuzz_seeds" "$build/seeds/model"
 
 for target in "${targets[@]}"; do
