@@ -130,19 +130,36 @@ as_in_paper temporal 1024x768 1024x768 rising cubes --set cubes.count=4000 --spp
     --techniques temporal,temporal:as_published=on,tsm
 as_in_paper ranges 1024x768 1024x768 rising --spps 8,20 --techniques ranges,ranges:as_published=on,temporal,tsm
 
+# table_of NAME: steady whole frames, a row a technique, a column a scene and number of samples.
 table_of() {
-    if [[ -f $output/$1/times.md ]]; then
-        sed -n '/^|/p' "$output/$1/times.md"
-    else
-        echo "not measured"
+    if [[ ! -f $output/$1/times.csv ]]; then
+        printf 'not measured\n\n'
+        return
     fi
-    echo
+    awk -F, '
+        $5 == "steady" && $6 == "wall" {
+            column = $1 ", " $3
+            if (!(column in seen_column)) { seen_column[column] = 1; columns[++width] = column }
+            if (!($2 in seen_row)) { seen_row[$2] = 1; rows[++height] = $2 }
+            value[$2, column] = sprintf("%.2f", $8)
+        }
+        END {
+            line = "| |"; rule = "| --- |"
+            for (c = 1; c <= width; ++c) { line = line " " columns[c] " |"; rule = rule " --: |" }
+            print line; print rule
+            for (r = 1; r <= height; ++r) {
+                line = "| " rows[r] " |"
+                for (c = 1; c <= width; ++c) line = line " " value[rows[r], columns[c]] " |"
+                print line
+            }
+        }' "$output/$1/times.csv"
+    printf '\nAll states and steps: [%s/times.md](%s/times.md)\n\n' "$1" "$1"
 }
 
 {
     printf '# %s\n\nOpenGL %s. ' "$renderer" "$version"
     "$program" --version | head -n 1
-    printf '\nPictures %s, shadow map %s, %s rounds. Milliseconds are medians.\n\n' "$size" "$map" "$rounds"
+    printf '\nPictures %s, shadow map %s, %s rounds.\n\n' "$size" "$map" "$rounds"
     echo "## Right or wrong"
     echo
     if [[ -f $output/cases.done ]]; then
@@ -173,6 +190,8 @@ table_of() {
     done
     echo
     echo "## What frames take"
+    echo
+    echo "Whole frames of a sequence, once caches are filled: medians in milliseconds, by scene and samples per pixel."
     echo
     table_of times
     echo "## Filtered layers beside one sample a texel (Andersson et al. 2015: 36 and 30 ms on a GTX 980)"

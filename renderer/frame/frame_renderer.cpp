@@ -12,6 +12,7 @@
 #include "core/pause.h"
 #include "core/work_part.h"
 #include "frame/buffer_check.h"
+#include "frame/upside_down.h"
 #include "gl/errors.h"
 #include "gl/read_back.h"
 #include "shared/shutter_response.shared.h"
@@ -32,18 +33,6 @@ constexpr double buildFrom = 0.3, lookupFrom = 0.4, shadeFrom = 0.65;
 /// By all renderers: a technique may be drawn by one after another, as when a window swaps two, and one count tells
 /// what came first. A renderer has counted once before it draws.
 std::uint64_t invalidations = 0;
-
-/// OpenGL's rows go upwards, a picture's downwards.
-template <typename T, typename Source>
-void copyRowsUpsideDown(const std::vector<Source>& rgba, int width, int height, std::vector<T>& rgb, Source factor) {
-    rgb.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-    auto* out = rgb.data();
-    for (int y = height - 1; y >= 0; --y) {
-        const Source* in = rgba.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4;
-        for (int x = 0; x < width; ++x, in += 4)
-            for (int c = 0; c < 3; ++c) *out++ = static_cast<T>(in[c] * factor);
-    }
-}
 
 template <typename T>
 std::vector<T> readArray(const gl::Texture& texture, GLenum format, GLenum type) {
@@ -328,12 +317,9 @@ const gl::Texture& FrameRenderer::displayTexture() {
     return *picture_;
 }
 
-DisplayImage FrameRenderer::readPicture() {
-    const std::vector<std::uint8_t> rgba = readArray<std::uint8_t>(displayTexture(), GL_RGBA, GL_UNSIGNED_BYTE);
-    DisplayImage image{picture_->width(), picture_->height(), {}};
-    copyRowsUpsideDown<std::uint8_t, std::uint8_t>(rgba, image.width, image.height, image.rgb, 1);
-    return image;
-}
+DisplayImage FrameRenderer::readPicture() { return askPicture().take(); }
+
+LatePicture FrameRenderer::askPicture() { return LatePicture(displayTexture()); }
 
 LinearImage FrameRenderer::readRadiance() {
     LinearImage image{radiance_->width(), radiance_->height(), {}};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/frame_caches.h"
+#include "frame/late_picture.h"
 #include "frame/lookup_pass.h"
 #include "frame/part_lookup.h"
 #include "frame/settings_block.h"
@@ -70,6 +71,8 @@ class FrameRenderer {
     /// The picture so far, for the screen; drawn anew by every call.
     const gl::Texture& displayTexture();
     DisplayImage readPicture();
+    /// The same without waiting for it: the next frame may be begun before it is taken.
+    LatePicture askPicture();
     /// Of a technique's view: its values as they are, in all three channels, negative where there is nothing.
     LinearImage readRadiance();
     /// The technique's view that is shown, with its scale; nothing where light is shown.

@@ -27,7 +27,14 @@ case $command in
     echo "  disagree    3 (1.1 ppm): 2 false shadow" ;;
 " verify"*) echo "  footprint error    0.001048 RMS (+- 0.000268), 0.000001 in the mean" ;;
 " cases"*) echo "283 right, 94 predicted, 0 wrong" ;;
-" measure"*) mkdir -p "$out" && printf '# What frames take\n\n| scene |\n| --- |\n| %s |\n' "$out" >"$out/times.md" ;;
+" measure"*) mkdir -p "$out" && cat >"$out/times.csv" <<'END' ;;
+scene,technique,spp,map,state,clock,step,median_ms,low_ms,high_ms
+chess,tsm,4,96,cold,wall,whole,9.5,9,10
+chess,tsm,4,96,steady,device,lookup,1.5,1,2
+chess,tsm,4,96,steady,wall,whole,3.456,3,4
+cubes,tsm,8,96,steady,wall,whole,5.25,5,6
+cubes,layers:as_published=on,8,96,steady,wall,whole,7,6,8
+END
 esac
 """
 
@@ -50,7 +57,8 @@ class GpuCheck(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         report = (self.folder / "results/report.md").read_text()
         for text in ("# A card", "0 wrong", "every step ran", "| | chess | cubes |", "| tsm | RMS 0.001048 |",
-                     "| exact | 1.1 ppm | 1.1 ppm |", "results/times |", "results/ranges |"):
+                     "| exact | 1.1 ppm | 1.1 ppm |", "| | chess, 4 | cubes, 8 |", "| tsm | 3.46 | 5.25 |",
+                     "| layers:as_published=on |  | 7.00 |", "(times/times.md)", "(ranges/times.md)"):
             self.assertIn(text, report)
         calls = self.calls.read_text().splitlines()
         self.assertEqual(len([c for c in calls if c.startswith("verify")]), 4)
