@@ -321,7 +321,7 @@ const std::vector<ClosedFormCase>& closedFormCases() {
     return cases;
 }
 
-const ClosedFormCase& closedFormCase(const std::string& name) {
+const ClosedFormCase& closedFormCase(std::string_view name) {
     std::string known;
     for (const ClosedFormCase& c : closedFormCases()) {
         if (c.name == name) return c;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/procedural_scene.h"
@@ -47,7 +48,7 @@ struct ClosedFormCase {
 /// All rows, in ascending order.
 const std::vector<ClosedFormCase>& closedFormCases();
 /// Throws UsageError that lists the known names.
-const ClosedFormCase& closedFormCase(const std::string& name);
+const ClosedFormCase& closedFormCase(std::string_view name);
 
 /// Case 28 with the quad `gap` above the receiver and the light 10 above it: shadowed.
 ClosedFormCase contactCase(double gap);

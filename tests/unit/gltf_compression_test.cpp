@@ -84,7 +84,11 @@ TEST(Meshopt, FiltersAreUndone) {
     std::vector<std::int8_t> octahedral(4 * count);
     meshopt_encodeFilterOct(octahedral.data(), count, 4, 8, padded.data());
     std::vector<std::uint32_t> exponential(3 * count);
+#if MESHOPTIMIZER_VERSION >= 190
+    meshopt_encodeFilterExp(exponential.data(), count, 12, 20, grid.positions.data(), meshopt_EncodeExpSharedVector);
+#else
     meshopt_encodeFilterExp(exponential.data(), count, 12, 20, grid.positions.data());
+#endif
 
     GltfFile file;
     const int places =
