@@ -25,6 +25,8 @@ def run(*command, **options):
 class NewTechnique(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        if not (ROOT / ".git").exists():
+            raise unittest.SkipTest("the project's files are those that its git repository has: there is none")
         cls.work = Path(tempfile.mkdtemp(prefix="timeshade-new-technique-"))
         cls.copy = cls.work / "tree"
         files = run("git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "-z").split("\0")
