@@ -1,5 +1,7 @@
 #include "contexts/window_context.h"
 
+#include <cstdlib>
+
 #include "contexts/back_ends.h"
 #include "core/error.h"
 
@@ -26,6 +28,17 @@ std::string takeReason() {
     std::string text = firstReport().empty() ? "GLFW gave no reason" : firstReport();
     firstReport().clear();
     return text;
+}
+
+/// Without WAYLAND_DISPLAY, X11: GLFW 3.4 and later otherwise try Wayland first, whose library says on standard error
+/// that there is none.
+void choosePlatform() {
+#ifdef GLFW_PLATFORM_X11
+    const char* wayland = std::getenv("WAYLAND_DISPLAY");
+    const bool none = wayland == nullptr || *wayland == '\0';
+    const bool x11 = none && glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE;
+    glfwInitHint(GLFW_PLATFORM, x11 ? GLFW_PLATFORM_X11 : GLFW_ANY_PLATFORM);
+#endif
 }
 
 void setHints(const WindowOptions& options) {
@@ -57,6 +70,7 @@ std::string whyRefused() {
 WindowContext::WindowContext(const WindowOptions& options) {
     takeReason();
     glfwSetErrorCallback(recordReport);
+    choosePlatform();
     if (glfwInit() != GLFW_TRUE) {
         throw Error(
             fmt::format("no window can be opened: {}; expected a display (DISPLAY or WAYLAND_DISPLAY). "
