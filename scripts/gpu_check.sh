@@ -159,7 +159,9 @@ table_of() {
 {
     printf '# %s\n\nOpenGL %s. ' "$renderer" "$version"
     "$program" --version | head -n 1
-    printf '\nPictures %s, shadow map %s, %s rounds.\n\n' "$size" "$map" "$rounds"
+    printf '\nPictures %s, shadow map %s, %s rounds. ' "$size" "$map" "$rounds"
+    printf 'Times are of whole frames of a sequence, once caches are filled: '
+    printf 'medians in milliseconds, by scene and samples per pixel.\n\n'
     echo "## Right or wrong"
     echo
     if [[ -f $output/cases.done ]]; then
@@ -190,8 +192,6 @@ table_of() {
     done
     echo
     echo "## What frames take"
-    echo
-    echo "Whole frames of a sequence, once caches are filled: medians in milliseconds, by scene and samples per pixel."
     echo
     table_of times
     echo "## Filtered layers beside one sample a texel (Andersson et al. 2015: 36 and 30 ms on a GTX 980)"
