@@ -131,7 +131,7 @@ class Equal(ProgramTest):
                 (("--equal-time", "static,tsm", "--spps", "1,2"), ("--equal-time", "--spps")),
                 (("--equal-time", "static,tsm", "--reference-rays", "0"), ("--reference-rays 0", "expected"))):
             with self.subTest(arguments=arguments):
-                self.refuse(2, mentions, "measure", "-o", "E", *arguments, env=nowhere, timeout=20)
+                self.refuse(2, mentions, "measure", "-o", "E", *arguments, env=nowhere, timeout=60)
 
     def test_a_folder_has_one_writer(self):
         (self.folder / "E").mkdir()

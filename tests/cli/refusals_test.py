@@ -15,7 +15,7 @@ class BadArguments(ProgramTest):
 
     def refuse_usage(self, mentions, *arguments):
         # No OpenGL at all in this environment, so that a run that gets past the check fails with another code.
-        self.refuse(2, mentions, *arguments, env=environment(__EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent"), timeout=20)
+        self.refuse(2, mentions, *arguments, env=environment(__EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent"), timeout=60)
 
     def test_values_of_options(self):
         """Every value stands in the message, and so does the option or what was expected."""

@@ -14,7 +14,7 @@ SLOW = ("--size", "860x600", "--spp", "32", "--map", "1024", "--gl-debug")
 class Alive(WindowTest):
     def slow_frame(self, window):
         """The dump of a moment within a full frame, after some slices of it."""
-        dump = window.wait(lambda d: "rendering" in d["state"].get("chips", []), "a full frame at work", 90)
+        dump = window.wait(lambda d: "rendering" in d["state"].get("chips", []), "a full frame at work")
         begun, slices = dump["state"]["begun"], dump["state"]["slices"][0]
         return window.wait(lambda d: d["state"]["begun"] == begun and d["state"]["slices"][0] > slices + 2,
                            "slices of one frame")
@@ -49,7 +49,7 @@ class Alive(WindowTest):
         self.assertIn("stopped", state["chips"])
         self.assertEqual((state["picture"], state["shown_preview"]), ("cancelled", True))
         window.click("chip.stopped")
-        window.wait(lambda d: d["state"]["settled"] and not d["state"]["shown_preview"], "the full picture", 90)
+        window.wait(lambda d: d["state"]["settled"] and not d["state"]["shown_preview"], "the full picture")
         work = [line for line in log.read_text().splitlines() if line.split()[1] == "first"]
         self.assertGreater(len(work), 10, "frames of the window within frames of the picture")
         self.close(window)

@@ -186,7 +186,7 @@ class Window:
     def widget(self, name):
         return self.dump()["widgets"].get(name)
 
-    def wait(self, condition, what, seconds=40):
+    def wait(self, condition, what, seconds=120):
         """The first dump that fulfils the condition."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
@@ -340,7 +340,7 @@ class Window:
 
     def quit(self):
         self.hand("key", "ctrl+q")
-        return self.process.wait(timeout=30)
+        return self.process.wait(timeout=120)
 
 
 class WindowTest(unittest.TestCase):

@@ -18,7 +18,7 @@ class Partners(WindowTest):
         window.key("p")
         alone = window.wait(lambda d: d["state"]["saved"] == 1, "a file")["state"]["screenshot"]
         window.choose("compare", "truth")
-        window.wait(lambda d: re.match(r"Ground truth, \d+ spp$", d["state"].get("compare.second", "")), "rays", 90)
+        window.wait(lambda d: re.match(r"Ground truth, \d+ spp$", d["state"].get("compare.second", "")), "rays")
         window.wait(lambda d: d["state"]["compared"] and d["state"]["compare"] == ["exact", "truth"], "all rays", 240)
         self.assertEqual(window.state()["compare.second"], "Ground truth, 256 spp")
         window.click("compare.mode/difference")

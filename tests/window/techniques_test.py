@@ -167,7 +167,7 @@ class Magnifier(WindowTest):
         (width, height), (whole, _) = state["drawn"], state["window"]
         window.point(whole - width + width * x, height * y)
         window.key("m")
-        dump = window.wait(lambda d: d["state"]["probe"] == [True, True], "all values", 90)
+        dump = window.wait(lambda d: d["state"]["probe"] == [True, True], "all values")
         last = None
         while dump["widgets"] != last:  # it takes its size and place a frame after its contents
             last = dump["widgets"]
