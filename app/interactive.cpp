@@ -39,8 +39,10 @@ namespace {
 
 /// ImGui needs a few frames to show what an event has changed.
 constexpr int framesAfterActivity = 3;
-constexpr double secondsBetweenFrames = 0.07;  // of the window, while a picture is being drawn
-constexpr double longestSleep = 0.25;          // seconds; notices end by themselves
+// Of the window, while a picture is being drawn: so long at most from the end of one to that of the next, if a slice of
+// the work ends when it should.
+constexpr double secondsBetweenFrames = 0.095, secondsOfSlice = 0.035;
+constexpr double longestSleep = 0.25;  // seconds; notices end by themselves
 
 WindowOptions windowOptions(const ViewOptions& options, const WindowMemory& memory) {
     WindowOptions window;
@@ -122,7 +124,9 @@ class Interactive {
     int framesLeft_ = framesAfterActivity;
     std::size_t keysHandled_ = 0;
     std::size_t framesDrawn_ = 0;
-    double drawnAt_ = 0.0;  ///< the last of them, seconds
+    bool rested_ = false;     ///< there was nothing to do since the last frame
+    double drawnAt_ = 0.0;    ///< the last of them, seconds
+    double frameTook_ = 0.0;  ///< seconds, of the last one within work
     std::string title_;
 };
 
@@ -133,12 +137,11 @@ void Interactive::wait() {
                       session_.requests.screenshot || session_.recording.on();
     const double untilWork = std::min({session_.driver.sleep(glfwGetTime()).value_or(longestSleep),
                                        session_.comparison.sleep(glfwGetTime()).value_or(longestSleep), longestSleep});
-    if (minimised)
-        glfwWaitEventsTimeout(longestSleep);
-    else if (busy || untilWork <= 0.0)
-        glfwPollEvents();
+    rested_ = minimised || (!busy && untilWork > 0.0);
+    if (rested_)
+        glfwWaitEventsTimeout(minimised ? longestSleep : untilWork);
     else
-        glfwWaitEventsTimeout(untilWork);
+        glfwPollEvents();
     if (ui_.events().takeActivity()) framesLeft_ = framesAfterActivity;
     framesLeft_ = std::max(0, framesLeft_ - 1);
 }
@@ -170,7 +173,7 @@ bool Interactive::drawWindow(bool atWork) {
     ui_.endFrame();
     dump_.endFrame();
     drawnAt_ = glfwGetTime();
-    const char* const work = !atWork                         ? "idle"
+    const char* const work = !atWork                         ? rested_ ? "rest" : "idle"
                              : session_.driver.drawing()     ? "first"
                              : session_.comparison.drawing() ? "second"
                                                              : "other";
@@ -182,11 +185,14 @@ void Interactive::drawAtWork() {
     glfwPollEvents();
     const bool heard = ui_.events().takeActivity() || ui_.events().mouse().pending();
     // Where nothing has happened, drawing the window as often as there are slices would only cost time.
-    const bool due = glfwGetTime() - drawnAt_ >= secondsBetweenFrames || !slices_.announced().empty();
+    const double now = glfwGetTime();
+    const bool due =
+        now + secondsOfSlice + frameTook_ >= drawnAt_ + secondsBetweenFrames || !slices_.announced().empty();
     if (heard) drawAgain(framesAfterActivity);
     if (!heard && !due) return;
     const DrawingState state;
     drawWindow(true);
+    frameTook_ = glfwGetTime() - now;
 }
 
 /// Within a pause: what has been done meanwhile makes the work useless.

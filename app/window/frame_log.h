@@ -8,8 +8,8 @@ namespace timeshade {
 
 /// For tests and for whoever looks into how alive the window is: a line for every frame of the window in the file that
 /// the environment variable TIMESHADE_FRAME_LOG names: milliseconds since the start, in the pause of which work it was
-/// drawn ("first" and "second" picture, "other") or "idle", slices of work so far, and what could not be left. Does
-/// nothing without that variable.
+/// drawn ("first" and "second" picture, "other"), "idle" or, where there was nothing to do since the frame before,
+/// "rest", slices of work so far, and what could not be left. Does nothing without that variable.
 class FrameLog {
   public:
     FrameLog();

@@ -9,14 +9,14 @@
 
 namespace timeshade {
 
-/// Keeps a window alive while something long is drawn or found out: that is cut into slices of about 40 ms at its pause
+/// Keeps a window alive while something long is drawn or found out: that is cut into slices of about 20 ms at its pause
 /// points, and the window draws itself, and hears its user, after each. Work that is no longer wanted ends with the
 /// slice.
 class Slices final : public PauseHook {
   public:
     /// `drawWindow` draws a frame of the window and takes its input.
     Slices(std::function<void()> drawWindow, std::function<bool()> isUnwanted,
-           std::chrono::milliseconds length = std::chrono::milliseconds(40))
+           std::chrono::milliseconds length = std::chrono::milliseconds(20))
         : drawWindow_(std::move(drawWindow)), isUnwanted_(std::move(isUnwanted)), length_(length) {}
 
     /// While it lives, this thread's work is cut into slices.

@@ -5,9 +5,9 @@
 namespace timeshade::gl {
 
 /// Runs the compute program in use over at least so many work groups. A device may take no more than 65,535 in a row,
-/// so they are arranged in rows of equal length: shaders number themselves by lib/work_groups.glsl, and return where
-/// the number is beyond what they have to do. Work may pause after it. Nothing happens for 0 groups. Throws LimitError
-/// where the device does not take so many in any arrangement.
+/// so they are arranged in rows of equal length, or one after the other in pieces where work may pause: shaders number
+/// themselves by lib/work_groups.glsl, and return where the number is beyond what they have to do. Nothing happens for
+/// 0 groups. Throws LimitError where the device does not take so many in any arrangement.
 void dispatch(std::size_t groups);
 
 /// Work groups that hold so many invocations.

@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include <glad/gl.h>
 
 #include "core/pause.h"
 #include "core/work_part.h"
+#include "gl/first_use.h"
+#include "gl/piece_length.h"
 
 namespace timeshade::gl {
 
 namespace {
 
-constexpr int firstBand = 16;            // rows; always even, so that no quad of fragments is cut
-constexpr double bandMilliseconds = 15;  // that a band should take
-constexpr double growth = 4.0;           // of the bands, at most, from one to the next
+constexpr std::size_t firstBand = 8;  // pairs of rows: no quad of fragments is cut
 
 /// Ends with the bands, however they end.
 struct Scissor {
@@ -35,23 +34,20 @@ void pausePoint() {
 
 void drawInBands(const std::function<void()>& draw) {
     if (pauseHook() == nullptr) return draw();
-    using Clock = std::chrono::steady_clock;
     std::array<GLint, 4> viewport{};
     glGetIntegerv(GL_VIEWPORT, viewport.data());
+    announceFirstUse();
     glFinish();
     const Scissor scissor;
-    int rows = firstBand;
+    PieceLength pairs(firstBand, static_cast<std::size_t>(viewport[3]) / 2 + 1);
     for (int from = 0, to = 0; from < viewport[3]; from = to) {
-        const auto begin = Clock::now();
-        to = std::min(from + rows, viewport[3]);
+        to = std::min(from + 2 * static_cast<int>(pairs.next()), viewport[3]);
         const WorkPart part(double(from) / viewport[3], double(to) / viewport[3]);
         glScissor(viewport[0], viewport[1] + from, viewport[2], to - from);
         draw();
         glFinish();
-        const double taken = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+        pairs.wasDone();
         timeshade::pausePoint();
-        const double factor = std::min(bandMilliseconds / std::max(taken, 1e-3), growth);
-        rows = std::max(2, 2 * static_cast<int>(0.5 * rows * factor));
     }
 }
 

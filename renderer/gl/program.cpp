@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/first_use.h"
 
 namespace timeshade::gl {
 
@@ -112,6 +113,7 @@ Program::Program(const ProgramDescription& description) : Object(link(descriptio
     for (const std::string& stage : description.stages())
         addDeclared(readShader(stage, description.defines).text, declared_, bound);
     findUniforms(bound);
+    linked(name(), description.label);
     if (std::find(built().begin(), built().end(), description) == built().end()) built().push_back(description);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gl/fragment_count.h"
 #include "gl/framebuffer.h"
 #include "gl/pause_point.h"
 #include "gl/program.h"
@@ -11,11 +12,17 @@ namespace timeshade {
 class Fullscreen {
   public:
     Fullscreen() : none_("no attributes") {}
-    /// Draws into the framebuffer that is bound. Depth test and blending are as the caller left them.
-    void draw(const gl::Program& program) const {
+    /// Draws into the framebuffer that is bound. Depth test and blending are as the caller left them. Counts the
+    /// fragments that pass, where that is wished.
+    void draw(const gl::Program& program, gl::FragmentCount* count = nullptr) const {
         program.use();
         glBindVertexArray(none_.name());
-        gl::drawInBands([] { glDrawArrays(GL_TRIANGLES, 0, 3); });
+        if (count != nullptr) count->restart();
+        gl::drawInBands([&] {
+            if (count != nullptr) count->begin();
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+            if (count != nullptr) count->end();
+        });
     }
     const gl::VertexArray& noAttributes() const { return none_; }
 

@@ -4,7 +4,7 @@
     TIMESHADE=build/release/timeshade tests/bench/window_gaps.py [TECHNIQUE...]
 
 By the window's own log (TIMESHADE_FRAME_LOG), on a display of its own. Where the window has announced what it does
-(loading, a shader's first link), that counts not.
+(loading, a shader's first link), or there was nothing to do, that counts not.
 """
 
 import json
@@ -24,7 +24,7 @@ def gaps(lines):
     """(milliseconds, work) of every two frames after each other."""
     frames = [line.split(maxsplit=3) for line in lines]
     for before, after in zip(frames, frames[1:]):
-        if len(before) == 3 and len(after) == 3:
+        if len(before) == 3 and len(after) == 3 and after[1] != "rest":
             yield float(after[0]) - float(before[0]), after[1]
 
 

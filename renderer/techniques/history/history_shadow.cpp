@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "core/pause.h"
 #include "technique/technique_entry.h"
 #include "techniques/history/exposed_instant.h"
 #include "techniques/history/map_raster.h"
@@ -180,10 +179,7 @@ void HistoryShadow::drawTested(const TechniqueFrame& frame, const gl::Program& p
     target_->setColorCount(colors);
     target_->attach(GL_COLOR_ATTACHMENT0, *buffers_[current_]);
     target_->bindForDrawing(buffers_[current_]->width(), buffers_[current_]->height());
-    const NoPauses counted;  // fragments that a pause draws are none of these
-    tested_->begin();
-    frame.fullscreen.draw(program);
-    tested_->end();
+    frame.fullscreen.draw(program, &*tested_);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "gl/query.h"
+#include "gl/fragment_count.h"
 #include "passes/shadow_map.h"
 #include "shared/history.shared.h"
 #include "technique/technique.h"

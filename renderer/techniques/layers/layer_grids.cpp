@@ -12,9 +12,10 @@ namespace {
 constexpr int mostLayers = 4;
 constexpr int blockSide = 4;  // layers/samples.glsl: BLOCK
 
-/// Over so many invocations, in groups of 8 x 8.
-void dispatchOver(int width, int height) {
-    glDispatchCompute(static_cast<GLuint>((width + 7) / 8), static_cast<GLuint>((height + 7) / 8), 1);
+/// Over as many invocations as the texture has texels, in groups of 8 x 8.
+void dispatchOver(const gl::Texture& texels) {
+    gl::dispatch(gl::groupsFor(static_cast<std::size_t>(texels.width()), 8) *
+                 gl::groupsFor(static_cast<std::size_t>(texels.height()), 8));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
@@ -71,14 +72,14 @@ void LayerGrids::build(const TechniqueFrame& frame, const Options& options, cons
         of.set("sampleLength", samples.strata.length);
         programs_.get({.label = "blocks of samples", .defines = given, .compute = "techniques/layers/blocks.comp"})
             .use(of);
-        dispatchOver(ranges_->width(), ranges_->height());
+        dispatchOver(*ranges_);
         gl::Inputs own = inputs;
         own.texture("outputMotion", *motion_).texture("outputDepth", *depth_).texture("blockRanges", *ranges_);
         own.set("layersWanted", static_cast<std::uint32_t>(options.layers));
         own.set("leastRun", options.asPublished ? 1u : 2u);
         programs_.get({.label = "layers of tiles", .defines = given, .compute = "techniques/layers/cluster.comp"})
             .use(own);
-        dispatchOver(tiles_.x, tiles_.y);
+        dispatchOver(*motion_);
     }
     const auto timed = frame.timer.scope("build/reprojection");
     if (options.filterAcross) given.emplace_back("V_FILTER", "1");

@@ -5,6 +5,7 @@
 #include "techniques/layers/samples.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "lib/work_groups.glsl"
 
 layout(rg32f) uniform writeonly image2DArray extents;
 layout(rgba32f) uniform writeonly image2DArray emptySamples;
@@ -17,7 +18,7 @@ void storeTime(ivec3 place) {
 }
 
 void main() {
-    ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 block = placeInRows(imageSize(extents).xy);
     if (any(greaterThanEqual(block, imageSize(extents).xy))) return;
     ivec2 end = min((block + 1) * BLOCK, ivec2(lightView.size));
     vec2 range = vec2(1e30, -1e30);

@@ -4,6 +4,7 @@
 #include "techniques/layers/samples.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+#include "lib/work_groups.glsl"
 
 layout(rgba32f) uniform writeonly image2DArray outputMotion;
 layout(rgba32f) uniform writeonly image2DArray outputDepth;
@@ -145,7 +146,7 @@ Sums sumsOf(ivec2 tile, Window w, vec2 range, ivec3 firsts) {
 }
 
 void main() {
-    ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 tile = placeInRows(imageSize(outputMotion).xy);
     if (any(greaterThanEqual(tile, imageSize(outputMotion).xy))) return;
     Window w = windowOf(tile);
     vec2 range = depthRange(w);
