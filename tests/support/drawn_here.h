@@ -9,7 +9,7 @@
 namespace timeshade {
 
 /// A suite with three values or more, of which each test is as a rule drawn for every third, others than a test whose
-/// name is one letter longer; for all where TIMESHADE_TESTS=thorough.
+/// name is one letter longer; for every second in thorough tests, for all where TIMESHADE_TESTS=all.
 template <typename Value>
 class DrawnHere : public testing::TestWithParam<Value> {
   protected:
@@ -20,7 +20,7 @@ class DrawnHere : public testing::TestWithParam<Value> {
         std::size_t number = test.size();
         for (int i = 0; suite.GetTestInfo(i)->name() != name; ++i)
             if (std::string(suite.GetTestInfo(i)->name()).rfind(test, 0) == 0) ++number;
-        if (!isDrawn(number)) GTEST_SKIP() << "drawn where TIMESHADE_TESTS=thorough";
+        if (!isDrawn(number)) GTEST_SKIP() << "drawn where TIMESHADE_TESTS=all";
     }
 };
 

@@ -1,10 +1,11 @@
-"""What is tested over and over is tested in part as a rule, and whole where TIMESHADE_TESTS=thorough, as .ci/run has it
-(tests/support/thorough.h says the same to C++)."""
+"""What is tested over and over is tested in part as a rule, more of it where TIMESHADE_TESTS=thorough, as .ci/run has
+it, and all where TIMESHADE_TESTS=all (tests/support/thorough.h says the same to C++)."""
 
 import os
 import unittest
 
-THOROUGH = os.environ.get("TIMESHADE_TESTS") == "thorough"
+ALL = os.environ.get("TIMESHADE_TESTS") == "all"
+THOROUGH = ALL or os.environ.get("TIMESHADE_TESTS") == "thorough"
 in_thorough_tests = unittest.skipUnless(THOROUGH, "drawn where TIMESHADE_TESTS=thorough")
 
 

@@ -70,7 +70,7 @@ class IntervalsAlong : public testing::TestWithParam<const char*> {
     /// other texel by texel: there is more of it, and chords of the receivers' ways show.
     /// As a rule each scene is drawn with one of the three settings.
     void expectAlike(std::size_t number, const Settings& settings) {
-        if (!isDrawn(number + std::string(GetParam()).size())) GTEST_SKIP() << "drawn where TIMESHADE_TESTS=thorough";
+        if (!isDrawn(number + std::string(GetParam()).size())) GTEST_SKIP() << "drawn where TIMESHADE_TESTS=all";
         const Difference found = differenceOf(GetParam(), settings);
         const double scale = GetParam() == std::string("quads") ? 2.0 : 1.0;
         EXPECT_LE(std::abs(found.mean), 0.0004 * scale);

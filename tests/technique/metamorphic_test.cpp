@@ -221,7 +221,7 @@ std::vector<std::string> techniqueNames() {
     return names;
 }
 
-/// All techniques in all scenes; as a rule every third of them, so that each has one scene or two.
+/// All techniques in all scenes; as a rule every seventh of them, so that each has one scene or none.
 std::vector<Parameters> techniquesInScenes() {
     std::vector<Parameters> all;
     std::size_t number = 0;

@@ -14,7 +14,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-from thorough import THOROUGH  # noqa: E402
+from thorough import ALL, THOROUGH  # noqa: E402
 
 PROGRAM = sys.argv[1]
 README = (pathlib.Path(sys.argv[2]) / "README.md").read_text()
@@ -22,7 +22,7 @@ README = (pathlib.Path(sys.argv[2]) / "README.md").read_text()
 SAMPLES, SHARE = 5.0, 0.01
 # Fewer than the README's 1,024: the debiased error is the same but for the standard error that comes with it.
 RAYS = {"chess": 128, "octopus": 128, "pillars": 128, "cubes": 128, "ball": 128}
-# Of many triangles, which take long: every second row, and only with TIMESHADE_TESTS=thorough.
+# Of many triangles, which take long: every second row with TIMESHADE_TESTS=thorough, each with TIMESHADE_TESTS=all.
 HEAVY = {"octopus-fine": 64, "tree": 64, "leg": 64, "runner": 64}
 CACHE = tempfile.TemporaryDirectory()
 
@@ -64,7 +64,7 @@ class Tables(unittest.TestCase):
         self.assertEqual(sorted((scene, technique) for scene, technique, *_ in rows),
                          sorted((scene, name) for scene in (*RAYS, *HEAVY) for name in names))
         heavy = [row for row in rows if row[0] in HEAVY]
-        left_out = heavy[1::2] if THOROUGH else heavy
+        left_out = [] if ALL else heavy[1::2] if THOROUGH else heavy
         for scene, technique, shadow, footprint, ppm in drawn_anew(rows, len(names)):
             if [scene, technique, shadow, footprint, ppm] in left_out:
                 continue
