@@ -1,9 +1,9 @@
 #include "gl/first_use.h"
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <map>
-#include <set>
-#include <utility>
 
 #include "core/pause.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 struct Uses {
     std::string label;
-    std::set<std::pair<GLint, GLint>> sizes;  ///< of the viewport
+    std::uint64_t sizes = 0;  ///< a bit for each doubling of the viewport's pixels: not one for every size of a window
 };
 
 /// Names are used again: what is known is of the last one.
@@ -24,7 +24,7 @@ std::map<GLuint, Uses>& known() {
 
 }  // namespace
 
-void linked(GLuint program, const std::string& label) { known()[program] = {label, {}}; }
+void linked(GLuint program, const std::string& label) { known()[program] = {label, 0}; }
 
 void announceFirstUse() {
     GLint current = 0;
@@ -33,8 +33,11 @@ void announceFirstUse() {
     if (found == known().end()) return;
     std::array<GLint, 4> viewport{};
     glGetIntegerv(GL_VIEWPORT, viewport.data());
-    if (found->second.sizes.emplace(viewport[2], viewport[3]).second)
-        announceWork("building shader " + found->second.label);
+    const auto pixels = static_cast<std::uint64_t>(viewport[2]) * static_cast<std::uint64_t>(viewport[3]);
+    const std::uint64_t size = std::uint64_t{1} << (std::bit_width(pixels) % 64);
+    if ((found->second.sizes & size) != 0) return;
+    found->second.sizes |= size;
+    announceWork("building shader " + found->second.label);
 }
 
 }  // namespace timeshade::gl

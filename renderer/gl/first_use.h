@@ -11,7 +11,7 @@ namespace timeshade::gl {
 void linked(GLuint program, const std::string& label);
 
 /// Before the program in use draws or computes: announces that it is translated where this is its first use with a
-/// viewport of this size (core/pause.h).
+/// viewport of about this size (core/pause.h).
 void announceFirstUse();
 
 }  // namespace timeshade::gl
