@@ -73,6 +73,7 @@ void dispatch(std::size_t groups) {
     const std::size_t columns = groupsFor(groups, rows);
     tell(0, columns * rows);
     glDispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>(rows), 1);
+    pausePoint();
 }
 
 }  // namespace timeshade::gl

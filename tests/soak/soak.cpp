@@ -342,7 +342,8 @@ int main(int argumentCount, char** arguments) {
     mallopt(M_MMAP_THRESHOLD, 128 * 1024);
     mallopt(M_TRIM_THRESHOLD, 128 * 1024);
     mallopt(M_ARENA_MAX, 1);
-    const int changes = argumentCount > 1 ? std::atoi(arguments[1]) : timeshade::usualOrAll(80, 200);
+    const int drawn = timeshade::testedShare() == timeshade::TestedShare::All ? 400 : timeshade::usualOrAll(80, 200);
+    const int changes = argumentCount > 1 ? std::atoi(arguments[1]) : drawn;
     const double allowedGrowth =
         argumentCount > 3 ? std::atof(arguments[3]) : 2.0;  // per cent of the peak after the warm-up
     return timeshade::run(changes, argumentCount > 2 ? static_cast<std::uint32_t>(std::atoi(arguments[2])) : 1u,
